@@ -73,10 +73,13 @@ def write_module(folder, out):
         manifest["os"] = systems
         if cpus:
             manifest["cpu"] = cpus
-        manifest |= {"main": "index.js", "dependencies": {MODULE: project().version}}
+        # A name of its own for each: npm before 10 removes what a package that does not fit depends on, unless
+        # another package depends on it as well.
+        alias = f"{MODULE}-{name}"
+        manifest |= {"main": "index.js", "dependencies": {alias: f"npm:{MODULE}@{project().version}"}}
         note = f"Installs `{MODULE}` for `{project().name}`. Install `{project().name}` instead.\n"
         # Package managers with strict folders find the module from the package that depends on it only.
-        entry = text("package/index.js", f'"use strict";\n\nmodule.exports = () => import("{MODULE}");\n')
+        entry = text("package/index.js", f'"use strict";\n\nmodule.exports = () => import("{alias}");\n')
         pack(manifest, [entry], note, out)
 
 

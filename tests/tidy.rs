@@ -3,6 +3,7 @@
 mod circles;
 pub mod code;
 mod names;
+mod scripts;
 
 use code::{Token, tokens, without_tests};
 use shaderlint::diagnostic::ERRORS;
@@ -174,30 +175,6 @@ fn long_functions(text: &str) -> Vec<String> {
         }
     }
     long
-}
-
-/// Every script of the player must be named by the file that puts it into pages; otherwise it is
-/// unused.
-#[test]
-fn every_script_of_the_player_is_used() {
-    let port: String = files(&["src/port"], ".rs")
-        .into_iter()
-        .map(|f| f.1)
-        .collect();
-    let scripts = files(&["src/port/player"], ".js");
-    assert!(scripts.len() > 30);
-    for (path, _) in scripts {
-        let name = path.trim_start_matches("src/port/");
-        let minified = match name.strip_prefix("player/page/") {
-            Some(page) => format!("player/min/page_{page}"),
-            None => name.replacen("player/", "player/min/", 1),
-        };
-        let is_types = name == "player/types.js";
-        assert!(
-            is_types || port.contains(name) || port.contains(&minified),
-            "{path} is not used by any page"
-        );
-    }
 }
 
 #[test]

@@ -7,8 +7,8 @@ use super::{Project, credits};
 use shaderlint_text::markup::{decode, escape, in_address};
 
 const PAGE: &str = include_str!("player/page/gallery.html");
-const STYLE: &str = include_str!("player/min/page_gallery.css");
-const SEARCH: &str = include_str!("player/min/page_search.js");
+const STYLE: &str = include_str!("player/min/page/gallery.css");
+const SEARCH: &str = include_str!("player/min/page/search.js");
 
 /// A shader of a gallery.
 pub struct GalleryEntry {

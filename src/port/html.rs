@@ -17,13 +17,13 @@ use shaderlint_text::markup::{escape, escape_json, in_address};
 
 const PAGE: &str = include_str!("player/page/page.html");
 /// The colours of all pages.
-pub(super) const COLORS: &str = include_str!("player/min/page_colors.css");
-const STYLE: &str = include_str!("player/min/page_page.css");
-const PANEL_STYLE: &str = include_str!("player/min/page_tools.css");
+pub(super) const COLORS: &str = include_str!("player/min/page/colors.css");
+const STYLE: &str = include_str!("player/min/page/page.css");
+const PANEL_STYLE: &str = include_str!("player/min/page/panel/panel.css");
 const EXTRAS: &str = include_str!("player/page/extras.html");
 const DEBUG: &str = include_str!("player/page/debug.html");
-const MORE: &str = include_str!("player/page/more.html");
-const PANEL: &str = include_str!("player/page/panel.html");
+const MORE: &str = include_str!("player/page/panel/more.html");
+const PANEL: &str = include_str!("player/page/panel/panel.html");
 
 /// Separates the player from the page's own code in the script: a module exported by the page ends
 /// here.
@@ -31,17 +31,17 @@ const BORDER: &str = "// The page begins here.\n";
 
 /// Script of a served page, which reads what the page keeps during a reload.
 const LIVE: [&str; 2] = [
-    include_str!("player/min/page_state.js"),
+    include_str!("player/min/page/state.js"),
     include_str!("player/min/live.js"),
 ];
 
 /// Script of a page that offers the debugger of a playground.
-const DEBUGGER: &str = include_str!("player/min/page_debug.js");
+const DEBUGGER: &str = include_str!("player/min/page/debug.js");
 
 /// Script of a page inside another one, which sends the project.
 const RECEIVE: [&str; 2] = [
-    include_str!("player/min/page_state.js"),
-    include_str!("player/min/page_receive.js"),
+    include_str!("player/min/page/state.js"),
+    include_str!("player/min/page/receive.js"),
 ];
 
 /// The page. A served page has a version and reloads itself when there is a newer one. With the address

@@ -1,11 +1,18 @@
 //! The minified files of the player and its pages, of which an output has only those that it uses.
 //!
-//! `node tests/browser/minify.js` makes them from `player/*.js` and `player/page/*`.
+//! `node tests/browser/minify.js` makes them from the scripts and styles below `player`.
 
 use super::tuned::sliders;
 use super::{Composed, InputKind, OutputId, Project, Wrapper};
 use shaderlint_semantic::{Pass, Stage};
 use shaderlint_text::Role;
+
+/// A minified script of the player, by its path.
+macro_rules! script {
+    ($path:literal) => {
+        include_str!(concat!("player/min/", $path, ".js"))
+    };
+}
 
 /// What a project needs of the player. The files of the player are in [`PLAYER`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -145,7 +152,7 @@ impl PlayerParts {
 
     /// The script of a page for frames.
     pub(super) fn frame(&self) -> String {
-        self.code(&BASE) + include_str!("player/min/page_embed.js")
+        self.code(&BASE) + script!("page/embed")
     }
 }
 
@@ -159,107 +166,68 @@ fn is_read_empty(project: &Project) -> bool {
 
 /// The files of the player, in order of dependency.
 const PLAYER: [(Option<PlayerPart>, &str); 30] = [
-    (None, include_str!("player/min/parts.js")),
-    (None, include_str!("player/min/frame.js")),
-    (Some(PlayerPart::Own), include_str!("player/min/sources.js")),
-    (
-        Some(PlayerPart::Heard),
-        include_str!("player/min/spectrum.js"),
-    ),
-    (None, include_str!("player/min/gl.js")),
-    (None, include_str!("player/min/log.js")),
-    (
-        Some(PlayerPart::Tunables),
-        include_str!("player/min/tunable.js"),
-    ),
-    (None, include_str!("player/min/mouse.js")),
-    (
-        Some(PlayerPart::Keyboard),
-        include_str!("player/min/keyboard.js"),
-    ),
-    (
-        Some(PlayerPart::Buffers),
-        include_str!("player/min/buffer.js"),
-    ),
-    (Some(PlayerPart::Cube), include_str!("player/min/cube.js")),
-    (
-        Some(PlayerPart::Devices),
-        include_str!("player/min/devices.js"),
-    ),
-    (None, include_str!("player/min/inputs.js")),
-    (
-        Some(PlayerPart::Images),
-        include_str!("player/min/pictures.js"),
-    ),
-    (Some(PlayerPart::Films), include_str!("player/min/films.js")),
-    (
-        Some(PlayerPart::Heard),
-        include_str!("player/min/signals.js"),
-    ),
-    (
-        Some(PlayerPart::StandIns),
-        include_str!("player/min/standins.js"),
-    ),
-    (None, include_str!("player/min/program.js")),
-    (Some(PlayerPart::Own), include_str!("player/min/sizes.js")),
-    (Some(PlayerPart::Own), include_str!("player/min/own.js")),
-    (
-        Some(PlayerPart::Vertices),
-        include_str!("player/min/vertices.js"),
-    ),
-    (None, include_str!("player/min/programs.js")),
-    (Some(PlayerPart::Sound), include_str!("player/min/sound.js")),
-    (None, include_str!("player/min/clock.js")),
-    (None, include_str!("player/min/context.js")),
-    (None, include_str!("player/min/renderer.js")),
-    (None, include_str!("player/min/player.js")),
-    (None, include_str!("player/min/listen.js")),
-    (None, include_str!("player/min/presence.js")),
-    (
-        Some(PlayerPart::Own),
-        include_str!("player/min/samplers.js"),
-    ),
+    (None, script!("parts")),
+    (None, script!("draw/frame")),
+    (Some(PlayerPart::Own), script!("draw/sources")),
+    (Some(PlayerPart::Heard), script!("channels/spectrum")),
+    (None, script!("draw/gl")),
+    (None, script!("draw/log")),
+    (Some(PlayerPart::Tunables), script!("draw/tunable")),
+    (None, script!("mouse")),
+    (Some(PlayerPart::Keyboard), script!("channels/keyboard")),
+    (Some(PlayerPart::Buffers), script!("draw/buffer")),
+    (Some(PlayerPart::Cube), script!("draw/cube")),
+    (Some(PlayerPart::Devices), script!("channels/devices")),
+    (None, script!("channels/inputs")),
+    (Some(PlayerPart::Images), script!("channels/pictures")),
+    (Some(PlayerPart::Films), script!("channels/films")),
+    (Some(PlayerPart::Heard), script!("channels/signals")),
+    (Some(PlayerPart::StandIns), script!("channels/standins")),
+    (None, script!("draw/program")),
+    (Some(PlayerPart::Own), script!("draw/sizes")),
+    (Some(PlayerPart::Own), script!("draw/own")),
+    (Some(PlayerPart::Vertices), script!("draw/vertices")),
+    (None, script!("draw/programs")),
+    (Some(PlayerPart::Sound), script!("draw/sound")),
+    (None, script!("clock")),
+    (None, script!("context")),
+    (None, script!("draw/renderer")),
+    (None, script!("player")),
+    (None, script!("listen")),
+    (None, script!("presence")),
+    (Some(PlayerPart::Own), script!("draw/samplers")),
 ];
 
 /// What all pages use.
 const BASE: [(Option<PlayerPart>, &str); 7] = [
-    (None, include_str!("player/min/page_dom.js")),
-    (None, include_str!("player/min/page_address.js")),
-    (None, include_str!("player/min/page_notices.js")),
-    (None, include_str!("player/min/page_bar.js")),
-    (None, include_str!("player/min/page_keys.js")),
-    (None, include_str!("player/min/page_open.js")),
-    (
-        Some(PlayerPart::Controls),
-        include_str!("player/min/page_values.js"),
-    ),
+    (None, script!("page/dom")),
+    (None, script!("page/address")),
+    (None, script!("page/notices")),
+    (None, script!("page/bar")),
+    (None, script!("page/keys")),
+    (None, script!("page/open")),
+    (Some(PlayerPart::Controls), script!("page/values")),
 ];
 
 /// The panel, in order of dependency.
 const PANEL: [(Option<PlayerPart>, &str); 17] = [
-    (None, include_str!("player/min/page_keep.js")),
-    (None, include_str!("player/min/page_write.js")),
-    (None, include_str!("player/min/page_prose.js")),
-    (None, include_str!("player/min/page_excerpt.js")),
-    (None, include_str!("player/min/page_errors.js")),
-    (None, include_str!("player/min/page_highlight.js")),
-    (None, include_str!("player/min/page_editor.js")),
-    (None, include_str!("player/min/page_code.js")),
-    (
-        Some(PlayerPart::Controls),
-        include_str!("player/min/page_controls.js"),
-    ),
-    (
-        Some(PlayerPart::Channels),
-        include_str!("player/min/page_channels.js"),
-    ),
-    (None, include_str!("player/min/page_size.js")),
-    (None, include_str!("player/min/page_webm.js")),
-    (None, include_str!("player/min/page_film.js")),
-    (None, include_str!("player/min/page_export.js")),
-    (None, include_str!("player/min/page_panel.js")),
-    (None, include_str!("player/min/page_help.js")),
-    (None, include_str!("player/min/page_page.js")),
+    (None, script!("page/panel/keep")),
+    (None, script!("page/panel/write")),
+    (None, script!("page/panel/prose")),
+    (None, script!("page/panel/excerpt")),
+    (None, script!("page/panel/errors")),
+    (None, script!("page/panel/highlight")),
+    (None, script!("page/panel/editor")),
+    (None, script!("page/panel/code")),
+    (Some(PlayerPart::Controls), script!("page/panel/controls")),
+    (Some(PlayerPart::Channels), script!("page/panel/channels")),
+    (None, script!("page/panel/size")),
+    (None, script!("page/panel/webm")),
+    (None, script!("page/panel/film")),
+    (None, script!("page/panel/export")),
+    (None, script!("page/panel/panel")),
+    (None, script!("page/panel/help")),
+    (None, script!("page/page")),
 ];
 
 #[cfg(test)]

@@ -9,22 +9,24 @@ use shaderlint_text::markup::escape_json;
 
 /// What the module for three.js shares with the player: values of uniforms, sizes and sound.
 const SHARED: [&str; 4] = [
-    include_str!("player/frame.js"),
-    include_str!("player/sources.js"),
-    include_str!("player/sizes.js"),
-    include_str!("player/spectrum.js"),
+    include_str!("player/draw/frame.js"),
+    include_str!("player/draw/sources.js"),
+    include_str!("player/draw/sizes.js"),
+    include_str!("player/channels/spectrum.js"),
 ];
 
 /// The end of a module, which exports `mount`.
-pub(super) const MOUNT: &str = include_str!("player/min/mount.js");
-const MATERIALS: &str = include_str!("player/materials.js");
-const THREE: &str = include_str!("player/three.js");
+pub(super) const MOUNT: &str = include_str!("player/min/modules/mount.js");
+const MATERIALS: &str = include_str!("player/modules/materials.js");
+const THREE: &str = include_str!("player/modules/three.js");
 #[cfg(feature = "naga")]
-const WEBGPU: &str = include_str!("player/webgpu.js");
-const REACT: &str = include_str!("player/react.js");
-const MOUNT_TYPES: &str = include_str!("player/mount.d.ts");
-const THREE_TYPES: &str = include_str!("player/three.d.ts");
-const REACT_TYPES: &str = include_str!("player/react.d.ts");
+const WEBGPU: &str = include_str!("player/modules/webgpu.js");
+/// What both modules for three.js do in a frame.
+const FRAMES: &str = include_str!("player/modules/frames.js");
+const REACT: &str = include_str!("player/modules/react.js");
+const MOUNT_TYPES: &str = include_str!("player/modules/mount.d.ts");
+const THREE_TYPES: &str = include_str!("player/modules/three.d.ts");
+const REACT_TYPES: &str = include_str!("player/modules/react.d.ts");
 
 /// A JavaScript module and its TypeScript types.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -53,7 +55,7 @@ pub fn module(project: &Project, composed: &Composed) -> ScriptModule {
 /// A module for three.js, which exports a `RawShaderMaterial` and its update function.
 pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
     let code = format!(
-        "{}{}{}{MATERIALS}{THREE}",
+        "{}{}{}{FRAMES}{MATERIALS}{THREE}",
         comment(project),
         project_constant(project, composed),
         SHARED.concat(),
@@ -72,7 +74,7 @@ pub(super) fn three_webgpu(project: &Project, passes: &[WebGpuPass]) -> ScriptMo
     let data = escape_json(&serde_json::to_string(passes).unwrap_or_default());
     let controls = escape_json(&serde_json::to_string(&project.controls).unwrap_or_default());
     let code = format!(
-        "{}const PASSES = {data};\n\nconst CONTROLS = {controls};\n\n{}{WEBGPU}",
+        "{}const PASSES = {data};\n\nconst CONTROLS = {controls};\n\n{}{FRAMES}{WEBGPU}",
         comment(project),
         SHARED.concat(),
     );

@@ -1,5 +1,6 @@
 // Headless Chromium with software rendering, and pages in it whose complaints are collected.
 import { chromium } from 'playwright-core';
+import assert from 'node:assert/strict';
 import { AsyncLocalStorage } from 'node:async_hooks';
 import { execFile } from 'node:child_process';
 import fs from 'node:fs';
@@ -20,9 +21,16 @@ const surroundings = /** @type {AsyncLocalStorage<Surroundings>} */ (new AsyncLo
 /** The folder of the running test. */
 export const folder = () => surroundings.getStore()?.folder ?? work;
 
-/** Runs a test in its own folder. @param {string[]} complaints collects the complaints of its pages */
-export function alone(complaints, run) {
-  return surroundings.run({ folder: fs.mkdtempSync(path.join(work, 'test-')), complaints }, run);
+/** Runs a test in its own folder. Complaints of its pages make it fail, and are told with its error. */
+export async function alone(run, mayComplain = false) {
+  const all = [];
+  try {
+    await surroundings.run({ folder: fs.mkdtempSync(path.join(work, 'test-')), complaints: all }, run);
+  } catch (error) {
+    error.stack = [error.stack, ...all].join('\n');
+    throw error;
+  }
+  if (!mayComplain) assert.deepEqual(all, []);
 }
 
 const ARGS = [
@@ -80,37 +88,36 @@ function complains(message) {
   return ['error', 'warning'].includes(message.type()) && !isOurs;
 }
 
-/** Collects errors and warnings of a page's console, and uncaught errors. */
+/** The complaints of the pages of the running test. */
+export const complaints = () => surroundings.getStore()?.complaints ?? [];
+
+/** Errors and warnings of a page's console and uncaught errors are complaints; returns a function for others. */
 export function listen(page) {
-  const complaints = [];
-  const all = surroundings.getStore()?.complaints;
-  const add = (words) => {
-    complaints.push(words);
-    all?.push(words);
-  };
+  const all = complaints();
+  const add = (words) => all.push(words);
   page.on('console', (m) => {
     if (complains(m)) add(m.text());
   });
   page.on('pageerror', (e) => add(`uncaught: ${e.message}`));
-  return complaints;
+  return add;
 }
 
 /**
- * Opens a page. `complaints` collects errors and warnings of its console, uncaught errors, and requests
- * of any kind.
+ * Opens a page. Errors and warnings of its console, uncaught errors, dialogs, and requests of any kind are
+ * complaints, which make the test fail.
  */
 export async function open(context, address, hash = '') {
   const page = await context.newPage();
-  const complaints = listen(page);
+  const add = listen(page);
   page.on('dialog', (d) => {
-    complaints.push(`dialog: ${d.message()}`);
+    add(`dialog: ${d.message()}`);
     void d.dismiss();
   });
   page.on('request', (r) => {
-    if (/^https?:/.test(r.url()) && !r.url().startsWith('http://page.test/')) complaints.push(`request: ${r.url()}`);
+    if (/^https?:/.test(r.url()) && !r.url().startsWith('http://page.test/')) add(`request: ${r.url()}`);
   });
   await page.goto(address + hash);
-  return { page, complaints };
+  return { page };
 }
 
 /** The bytes that a page returns as base64, which is much faster than returning an array. */

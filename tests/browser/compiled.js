@@ -5,14 +5,14 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { port, put } from './browser.js';
 import { CASES } from './cases.js';
-import { exportsOf, templates } from './corpus.js';
+import { compiledExports, templates } from './corpus.js';
 import { readers } from './media.js';
 import { load } from './player.js';
 
 /** Number of shaders that are compiled in one graphics context. */
 const BATCH = 64;
 
-const { passSource } = load(['gl.js'], ['passSource']);
+const { passSource } = load(['draw/gl.js'], ['passSource']);
 
 /**
  * A fragment shader to compile, or, with a vertex shader, a program to link.
@@ -105,7 +105,7 @@ async function ownCompile(context) {
 
 export function compileTests() {
   const tests = [{ name: 'compiled: templates, cases and all stand-ins', run: ownCompile }];
-  const exports = exportsOf();
+  const exports = compiledExports();
   if (exports.length > 0) tests.push({ name: 'compiled: the exports', run: async (context) => pagesCompile(context, await ported(exports)) });
   return tests;
 }

@@ -7,6 +7,7 @@
 //   FUZZ=PATH                      the fuzzer, which prints what `shaderlint` draws
 //   KEEP=FOLDER                    stores both images as JSON if they differ
 import { execFile } from 'node:child_process';
+import { once } from 'node:events';
 import fs from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
@@ -81,16 +82,9 @@ async function compared(browser, file) {
 }
 
 /** Resolves like a promise, unless that takes too long. */
-async function within(seconds, promise) {
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error('timeout')), seconds * 1000);
-  });
-  try {
-    return await Promise.race([promise, late]);
-  } finally {
-    clearTimeout(timer);
-  }
+function within(seconds, promise) {
+  const late = once(AbortSignal.timeout(1000 * seconds), 'abort').then(() => { throw new Error('timeout'); });
+  return Promise.race([promise, late]);
 }
 
 let running = await launch();

@@ -26,7 +26,7 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
   Object.assign(toy.info, { id: short, name: words, username: words, description: short, tags: [short] });
   toy.renderpass[0].inputs.push({ id: short, type: 'texture', channel: 0, filepath: short, sampler: { filter: short, wrap: short } });
   const address = await port(put(`hostile${index}.json`, JSON.stringify(toy)), `hostile${index}`);
-  const { page, complaints } = await open(context, address, '#size=32x18&paused');
+  const { page } = await open(context, address, '#size=32x18&paused');
   await page.evaluate(() => globalThis.shaderport.ready);
   assert.ok(colors(await frame(page, 1)) > 1, 'the page draws');
   await page.click('#more');
@@ -44,7 +44,6 @@ void mainImage(out vec4 O, vec2 U) { O = vec4(U / iResolution.xy, 0.5, 1.0); }`;
   assert.equal(seen.title, words);
   assert.equal(seen.description, short);
   assert.deepEqual([seen.links, seen.scripts, seen.images, seen.styles, seen.errors], [[], 3, 0, 1, []]);
-  assert.deepEqual(complaints, []);
 }
 
 async function policy(context) {
@@ -76,5 +75,5 @@ export const hostileTests = [
     name: `hostile: ${name}`,
     run: (context) => check(context, words, index),
   })),
-  { name: 'hostile: the content security policy blocks requests', run: policy },
+  { name: 'hostile: the content security policy blocks requests', run: policy, mayComplain: true },
 ];

@@ -9,7 +9,7 @@ const from = path.join(import.meta.dirname, '../../src/port/player');
 const to = path.join(from, 'min');
 
 /** Types only, or modules that users read. */
-const KEPT = ['types.js', 'materials.js', 'three.js', 'react.js', 'webgpu.js'];
+const KEPT = ['types.js', ...['frames', 'materials', 'react', 'three', 'webgpu'].map((name) => `modules/${name}.js`)];
 
 /** Names that the converter writes. */
 const RESERVED = ['PROJECT', 'mount', 'openPage', 'startFrame', 'receiveProject', 'followChanges'];
@@ -39,13 +39,21 @@ async function minified(name) {
   return (await transform(read(name), { minify: true, loader: 'css', charset: 'utf8' })).code;
 }
 
-const listed = (folder) => fs.readdirSync(path.join(from, folder)).map((name) => path.posix.join(folder, name));
-const names = [...listed('.'), ...listed('page')].filter((name) => /\.(js|css)$/.test(name) && !KEPT.includes(name));
+/** The files below a folder, by relative path. */
+function below(folder) {
+  const all = fs.readdirSync(folder, { recursive: true, encoding: 'utf8' }).map((name) => name.replaceAll(path.sep, '/'));
+  return all.filter((name) => /\.(js|css)$/.test(name));
+}
+
+// The player before its pages, each by file name: names are shortened in this order.
+const order = (name) => `${Number(name.startsWith('page/'))}${path.basename(name)}`;
+const names = below(from).filter((name) => !name.startsWith('min/') && !KEPT.includes(name));
+names.sort((a, b) => (order(a) < order(b) ? -1 : 1));
 await nameAll(names.filter((name) => name.endsWith('.js')));
 const made = new Map();
-for (const name of names) made.set(name.replace('page/', 'page_'), await minified(name));
+for (const name of names) made.set(name, await minified(name));
 const isCheck = process.argv.includes('--check');
-const known = fs.existsSync(to) ? fs.readdirSync(to) : [];
+const known = fs.existsSync(to) ? below(to) : [];
 const stale = [...made].filter(([name, text]) => !known.includes(name) || fs.readFileSync(path.join(to, name), 'utf8') !== text).map(([name]) => name);
 const left = known.filter((name) => !made.has(name));
 if (isCheck && stale.length + left.length > 0) {
@@ -53,7 +61,9 @@ if (isCheck && stale.length + left.length > 0) {
   process.exit(1);
 }
 if (!isCheck) {
-  fs.mkdirSync(to, { recursive: true });
-  for (const name of stale) fs.writeFileSync(path.join(to, name), made.get(name));
+  for (const name of stale) {
+    fs.mkdirSync(path.dirname(path.join(to, name)), { recursive: true });
+    fs.writeFileSync(path.join(to, name), made.get(name));
+  }
   for (const name of left) fs.rmSync(path.join(to, name));
 }

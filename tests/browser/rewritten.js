@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { colors, differences, folder, put, shaderport } from './browser.js';
 import { compileShaders } from './compiled.js';
-import { exportsOf, templates } from './corpus.js';
+import { compiledExports, templates } from './corpus.js';
 import { draw } from './drawing.js';
 
 /** Compiles every shader that `--main rewrite` considers safe. */
@@ -96,7 +96,7 @@ export function rewriteTests() {
     { name: 'rewritten: the templates compile', run: (context) => rewritten(context, templates()) },
     { name: 'rewritten: the image is the same', run: rewrittenPicture },
   ];
-  const exports = exportsOf();
+  const exports = compiledExports();
   if (exports.length > 0) tests.push({ name: 'rewritten: the exports compile', run: (context) => rewritten(context, exports) });
   return tests;
 }

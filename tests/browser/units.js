@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { load } from './player.js';
 
 function logs() {
-  const { mapErrors, readLog } = load(['gl.js', 'log.js'], ['mapErrors', 'readLog']);
+  const { mapErrors, readLog } = load(['draw/gl.js', 'draw/log.js'], ['mapErrors', 'readLog']);
   const said = (log) => readLog(log).map((e) => [e.line, e.token, e.words]);
   assert.deepEqual(said("ERROR: 0:12: 'x' : undeclared identifier\nERROR: 0:13: '' : syntax error\n\0"), [
     [12, 'x', 'undeclared identifier'],
@@ -39,7 +39,7 @@ function tuned(text, literals, scalar, value) {
 }
 
 function tunables() {
-  const { changeText, setNumber } = load(['parts.js', 'tunable.js', 'programs.js'], ['changeText', 'setNumber']);
+  const { changeText, setNumber } = load(['parts.js', 'draw/tunable.js', 'draw/programs.js'], ['changeText', 'setNumber']);
   const found = (project) => project.tunables.map((t) => [project.files[0].text.slice(t.start, t.end), ...t.value]);
   const moved = (text, literals, scalar, value, after) => {
     const project = tuned(text, literals, scalar, value);

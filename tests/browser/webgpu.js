@@ -215,7 +215,7 @@ export async function webgpuTests() {
   }));
   tests.push({ name: 'webgpu: passes that read each other', run: passes });
   tests.push({ name: 'webgpu: order of evaluation', run: order });
-  tests.push({ name: 'webgpu: derivatives after a return', run: returns });
+  tests.push({ name: 'webgpu: derivatives after a return', run: returns, mayComplain: true });
   tests.push({ name: 'webgpu: rounding of built-in functions', run: rounding });
   const light = await lightExports();
   const swept = sweptExports(exportsOf().filter(isFlat));

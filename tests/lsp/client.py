@@ -10,10 +10,9 @@ import fcntl
 import json
 import os
 import pathlib
-import struct
+import select
 import subprocess
 import tempfile
-import termios
 import threading
 import time
 from urllib.parse import unquote, urlparse
@@ -261,13 +260,13 @@ class Connection:
                 # The server has exited; whoever waits for it gets an error.
                 pass
 
-    def wait_until_read(self):
-        """Waits until the server has read all bytes that were sent."""
-        end = time.monotonic() + PATIENCE
-        while struct.unpack("i", fcntl.ioctl(self.process.stdin, termios.FIONREAD, b"\0" * 4))[0]:
-            if time.monotonic() > end:
-                raise TimeoutError("after %d s: the server does not read its input" % PATIENCE)
-            time.sleep(0.001)
+    def write_separately(self, data):
+        """Writes raw bytes after the server has read all earlier ones."""
+        # A pipe of one page is writable when it is empty.
+        fcntl.fcntl(self.process.stdin, fcntl.F_SETPIPE_SZ, select.PIPE_BUF)
+        _, writable, _ = select.select([], [self.process.stdin], [], PATIENCE)
+        assert writable, "the server does not read its input"
+        self.write_bytes(data)
 
     def notify(self, method, params=None):
         """Sends a notification."""
@@ -326,7 +325,7 @@ class Connection:
 
     def finish(self):
         """Waits for the process to exit; returns its exit code."""
-        code = self.process.wait(PATIENCE)
+        code = self.process.wait()
         self.reader.join(PATIENCE)
         return code
 

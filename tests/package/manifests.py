@@ -82,7 +82,8 @@ def check_npm():
         if platform["name"] == "shaderlint-wasm":
             continue
         if platform["name"] in fallbacks:
-            assert platform["dependencies"] == {"shaderlint-wasm": VERSION}
+            alias = platform["name"].removeprefix("@").replace("/", "-")
+            assert platform["dependencies"] == {alias: f"npm:shaderlint-wasm@{VERSION}"}
             continue
         name = "-".join([*platform["os"], *platform["cpu"]])
         name += {"glibc": "-gnu", "musl": "-musl", "": ""}["".join(platform.get("libc", []))]

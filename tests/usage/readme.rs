@@ -331,3 +331,37 @@ fn the_hook_names_no_tag_that_does_not_exist() {
         );
     }
 }
+
+/// `packaging/released` says whether packages are published. Until they are, every page that installs
+/// one says so, and the README starts with what works from a clone.
+#[test]
+fn pages_say_whether_packages_are_released() {
+    const NOTE: &str = "after the first release";
+    let read = |path: &str| fs::read_to_string(root().join(path)).unwrap();
+    let is_released = match read("packaging/released").trim() {
+        "yes" => true,
+        "no" => false,
+        other => panic!("packaging/released is `yes` or `no`, not `{other}`"),
+    };
+    let mut texts = texts();
+    texts.push(("editors/README.md".into(), read("editors/README.md")));
+    let mut pages = 0;
+    for (path, text) in texts {
+        let sections = text.split("\n## ").filter(|section| {
+            let installs = ["pip install", "pipx install", "npm i -D", "npm i -g"];
+            let package = |i: &&str| section.contains(&format!("{i} shaderlint"));
+            installs.iter().any(|i| package(&i)) || section.contains("/shaderlint-pre-commit")
+        });
+        for section in sections {
+            let title = section.lines().next().unwrap();
+            let help = if is_released { "remove" } else { "write" };
+            let says = section.contains(NOTE);
+            assert!(says != is_released, "{path}, {title}: {help} \"{NOTE}\"");
+            pages += 1;
+        }
+        let clone = text.find("cargo run --release");
+        let first = clone < text.find("pip install") || is_released;
+        assert!(path != "README.md" || first, "a clone comes first");
+    }
+    assert!(pages > 5, "only {pages} sections install packages");
+}

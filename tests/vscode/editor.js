@@ -4,23 +4,19 @@
 //   node editor.js FOLDER program    with the package for this platform, which is in FOLDER; the editor
 //                                    writes its files there
 //   node editor.js FOLDER web        with the package for browsers
-import { chromium } from 'playwright-core';
 import assert from 'node:assert/strict';
-import { execFileSync, spawn } from 'node:child_process';
+import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
+import { after, test } from 'node:test';
+import { launch } from '../browser/browser.js';
 import { DEBUGGED, debugging } from './debugging.js';
 import { FILES, views } from './views.js';
+import { args, choose, kind, openFile, packages, picture, player, program, runCommand, settings, shaders, start, time, until, word } from './workbench.js';
 
-const isWeb = process.argv[3] === 'web';
-const packages = process.argv[2];
-const work = path.join(packages, process.argv[3]);
-const program = process.env.CODE_SERVER;
+const isWeb = kind === 'web';
 /** Time limit in minutes. Each step waits for its own condition, however slow the machine is. */
 const MINUTES = Number(process.env.MINUTES ?? 60);
-
-/** Description of the current step. */
-let waiting = '';
 
 const BROKEN = `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 uv = fragCoord / iResolution.xy;
@@ -81,14 +77,7 @@ const SETTINGS = {
   '[glsl]': { 'editor.formatOnSave': true },
 };
 
-/** Command line arguments of the editor. */
-function args(...more) {
-  const folders = ['--user-data-dir', path.join(work, 'user'), '--extensions-dir', path.join(work, 'extensions')];
-  return [...folders, '--config', path.join(work, 'none.yaml'), ...more];
-}
-
 function prepare() {
-  const shaders = path.join(work, 'shaders');
   fs.mkdirSync(shaders, { recursive: true });
   fs.writeFileSync(path.join(shaders, 'broken.glsl'), BROKEN);
   fs.writeFileSync(path.join(shaders, 'waves.glsl'), WAVES);
@@ -97,99 +86,19 @@ function prepare() {
   for (const [name, text] of Object.entries({ ...FILES, ...DEBUGGED })) fs.writeFileSync(path.join(shaders, name), text);
   fs.writeFileSync(path.join(shaders, 'tint.glsl'), TINT);
   fs.writeFileSync(path.join(shaders, 'useit.glsl'), TINTED);
-  fs.mkdirSync(path.join(work, 'user/User'), { recursive: true });
-  fs.writeFileSync(path.join(work, 'user/User/settings.json'), JSON.stringify(SETTINGS));
+  fs.mkdirSync(path.dirname(settings), { recursive: true });
+  fs.writeFileSync(settings, JSON.stringify(SETTINGS));
   const isWanted = (name) => name.endsWith('.vsix') && name.includes('-web-') === isWeb;
   const [extension] = fs.readdirSync(packages).filter(isWanted);
   execFileSync(program, args('--install-extension', path.join(packages, extension)), { stdio: 'pipe' });
-  return shaders;
 }
-
-/** Starts the editor on a free port; resolves to its address once it listens. */
-async function start(shaders) {
-  const options = ['--auth', 'none', '--bind-addr', '127.0.0.1:0', '--disable-telemetry', '--disable-update-check'];
-  const server = spawn(program, args(...options, shaders), { stdio: ['ignore', 'pipe', 'pipe'], detached: true });
-  let log = '';
-  const address = await new Promise((resolve, reject) => {
-    for (const stream of [server.stdout, server.stderr]) {
-      stream.on('data', (data) => {
-        log += data;
-        const found = /listening on (http:\/\/127\.0\.0\.1:\d+)/.exec(log);
-        if (found) resolve(found[1]);
-      });
-    }
-    server.on('exit', () => reject(new Error(`the editor does not start: ${log}`)));
-  });
-  return { server, address: `${address}/?folder=${encodeURIComponent(shaders)}` };
-}
-
-async function picture(page, name) {
-  if (!process.env.SCREENSHOTS) return;
-  await page.waitForTimeout(1000);
-  await page.screenshot({ path: path.join(process.env.SCREENSHOTS, `${process.argv[3]}-${name}.png`) });
-}
-
-/** Opens a file and waits for a line with the text, because the tab appears before its content. */
-async function openFile(page, name, text) {
-  await page.locator('.explorer-folders-view .monaco-list-row', { hasText: name }).dblclick();
-  await page.locator('.tab.active', { hasText: name }).waitFor();
-  await page.locator('.view-line', { hasText: text }).first().waitFor();
-}
-
-/** Chooses an item of the open list by clicking: the focus may still move, so Enter is unreliable. */
-async function choose(page, title, timeout = 0) {
-  await page.locator('.quick-input-list .monaco-list-row', { hasText: title }).first().click({ timeout });
-}
-
-/** Runs a command by name. If the list loses focus and closes, it is opened again. */
-async function runCommand(page, title) {
-  await until(`the command ${title}`, async (timeout) => {
-    await page.keyboard.press('F1');
-    await page.locator('.quick-input-widget input[type=text]').fill(`>${title}`, { timeout });
-    await choose(page, title, timeout);
-    return true;
-  });
-}
-
-/**
- * Repeats until the promise resolves. An attempt that hangs is aborted after a timeout that grows with
- * each attempt.
- * @param {(timeout: number) => Promise<any>} ask
- */
-async function until(what, ask) {
-  waiting = what;
-  for (let timeout = 2000; ; timeout *= 1.5) {
-    const answer = await ask(timeout).catch(() => null);
-    if (answer) return answer;
-    await new Promise((resolve) => {
-      setTimeout(resolve, 200);
-    });
-  }
-}
-
-/** The frame of the preview page whose shader contains a text. */
-function player(page, text) {
-  const holds = (wanted) => {
-    const player = globalThis.shaderport?.player;
-    const isShown = globalThis.frameElement?.className === '';
-    return Boolean(player && isShown && player.clock.time > 0.3 && player.project.files.some((f) => f.text.includes(wanted)));
-  };
-  return until(`a page with ${text}`, async () => {
-    for (const frame of page.frames()) {
-      if (await frame.evaluate(holds, text).catch(() => false)) return frame;
-    }
-    return null;
-  });
-}
-
-const time = (frame) => frame.evaluate(() => globalThis.shaderport.player.clock.time);
 
 /**
  * Opens the editor and a broken shader. Window and extension host have fixed timeouts for each other;
  * if they expire, the window is reloaded.
  */
 async function connect(page, address) {
-  await until('an editor with the extension', async (timeout) => {
+  await until(page, 'an editor with the extension', async (timeout) => {
     page.setDefaultTimeout(30 * timeout);
     try {
       await page.goto(address);
@@ -231,7 +140,7 @@ async function preview(page) {
 
   // A broken text keeps the image and shows the error.
   await page.keyboard.type(' \n}');
-  const words = await until('an error message', async () => {
+  const words = await until(page, 'an error message', async () => {
     for (const frame of page.frames()) {
       const said = await frame.evaluate(() => document.querySelector('#trouble.error:not([hidden])')?.textContent);
       if (said) return said;
@@ -266,11 +175,6 @@ async function preview(page) {
   await player(page, 'SPEED 1.0');
 }
 
-/** A word in the first line of the editor that contains a text. */
-function word(page, line, text) {
-  return page.locator('.view-line', { hasText: line }).first().getByText(text, { exact: true }).first();
-}
-
 /** Responses of the server while editing. */
 async function editing(page) {
   await openFile(page, 'glow.glsl', 'glow');
@@ -293,7 +197,7 @@ async function editing(page) {
   await page.locator('.view-line', { hasText: 'uv = fragCoord / iResolution' }).waitFor();
   await picture(page, 'formatted');
 
-  await until('a hover with an image', async (timeout) => {
+  await until(page, 'a hover with an image', async (timeout) => {
     await word(page, 'light +=', 'light').hover({ timeout });
     await page.locator('.monaco-hover img').first().waitFor({ timeout });
     return true;
@@ -304,7 +208,7 @@ async function editing(page) {
   await page.keyboard.press('End');
   await page.keyboard.type('\nfloat s=smooths');
   // Fast typing may not open the list.
-  await until('a completion', async (timeout) => {
+  await until(page, 'a completion', async (timeout) => {
     await page.keyboard.press('Escape');
     await page.keyboard.press('Control+Space');
     await page.locator('.suggest-widget .monaco-list-row', { hasText: 'smoothstep' }).first().waitFor({ timeout });
@@ -324,7 +228,7 @@ async function hopeless(page) {
   await openFile(page, 'broken.glsl', 'colour');
   await runCommand(page, 'Shaderlint: Open Preview');
   await page.locator('.tab.active', { hasText: 'Preview broken.glsl' }).waitFor();
-  await until('the error message in the preview', async () => {
+  await until(page, 'the error message in the preview', async () => {
     for (const frame of page.frames()) {
       // Either the view or the page in it shows the message.
       const words = await frame.evaluate(() => ['trouble', 'errors'].map((id) => document.getElementById(id)?.innerText).join());
@@ -338,7 +242,7 @@ async function hopeless(page) {
 async function costMap(page) {
   await runCommand(page, 'Shaderlint: Show Cost Map');
   await choose(page, 'Operations per pixel');
-  await until('the cost map', async () => {
+  await until(page, 'the cost map', async () => {
     for (const frame of page.frames()) {
       if (await frame.evaluate(() => document.querySelector('img[src^="data:image/png"]')?.naturalWidth > 0)) return true;
     }
@@ -350,7 +254,7 @@ async function costMap(page) {
 /** A file that is included and not open. */
 async function included(page) {
   await openFile(page, 'useit.glsl', 'tint.glsl');
-  await until('the definition in another file', async (timeout) => {
+  await until(page, 'the definition in another file', async (timeout) => {
     await word(page, 'fragColor = vec4', 'tint').click({ timeout });
     await page.keyboard.press('F12');
     await page.locator('.tab.active', { hasText: 'tint.glsl' }).waitFor({ timeout });
@@ -370,39 +274,40 @@ async function commands(page) {
   await page.keyboard.press('Escape');
 }
 
-const shaders = prepare();
-const { server, address } = await start(shaders);
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM,
-  timeout: 0,
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
-});
+prepare();
+const { server, address } = await start();
+const { browser, kill } = await launch();
 const page = await browser.newPage({ viewport: { width: 1400, height: 860 } });
 page.setDefaultTimeout(0);
-let current = 'start';
-const limit = setTimeout(() => {
-  console.error(`more than ${MINUTES} minutes: ${current} is not done${waiting && `, nor has come ${waiting}`}`);
-  // The pending wait fails then, with its description.
-  void picture(page, 'failed').finally(() => browser.close());
-}, MINUTES * 60_000);
-try {
-  await connect(page, address);
-  const own = { openFile, picture, player, runCommand, shaders, until, word };
-  const more = [...views(own), ...debugging(own)];
-  const steps = [findings, preview, editing, included, ...(isWeb ? [commands] : [costMap, ...more]), hopeless];
-  const only = process.env.STEP?.split(',');
-  for (const step of steps.filter(({ name }) => only?.includes(name) ?? true)) {
-    current = step.name;
-    await step(page);
-    console.log(`${step.name}: ok`);
+
+/** Each step begins with the state that the one before it left. */
+const STEPS = {
+  'the editor starts with the extension': () => connect(page, address),
+  'a broken shader has diagnostics': findings,
+  'the preview follows edits and writes numbers': preview,
+  'fixes, renames, formats, hovers and completions': editing,
+  'a definition in a file that is not open': included,
+  ...(isWeb ? { 'no command needs the program': commands } : { 'the cost map is drawn': costMap, ...views, ...debugging }),
+  'a shader that was never valid has a message in its preview': hopeless,
+};
+
+test(`extension, ${kind}`, { timeout: MINUTES * 60_000 }, async (t) => {
+  let skip = '';
+  for (const [name, step] of Object.entries(STEPS)) {
+    await t.test(name, { skip }, async () => {
+      try {
+        await step(page);
+      } catch (error) {
+        skip = 'an earlier step failed';
+        await picture(page, 'failed').catch(() => {});
+        throw error;
+      }
+    });
   }
-} catch (error) {
-  await picture(page, 'failed').catch(() => {});
-  throw error;
-} finally {
-  clearTimeout(limit);
-  await browser.close();
+});
+
+after(async () => {
+  await kill();
   // A graceful shutdown would wait half a minute for the browser to reconnect.
   process.kill(-server.pid, 'SIGKILL');
-}
-console.log('all passed, 0 failed');
+});

@@ -1,7 +1,9 @@
 // Syntax highlighting: the scopes of words in GLSL and in other languages that contain it, with the
 // grammars of VS Code.
+import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
+import { test } from 'node:test';
 import oniguruma from 'vscode-oniguruma';
 import textmate from 'vscode-textmate';
 
@@ -119,22 +121,19 @@ const CASES = [
   ]],
 ];
 
-let failed = 0;
-let passed = 0;
-for (const [scope, text, expected] of CASES) {
-  const all = await tokens(scope, text);
-  for (const [what, wanted] of expected) {
-    const [word, line] = /^(.+?)(?:@(\d+))?$/s.exec(what).slice(1);
-    const found = all.filter((t) => t.word === word && (!line || t.line === Number(line)));
-    const holds = (token) => token.scopes.some((s) => s === wanted || s.startsWith(`${wanted}.`));
-    // A word that is not a function name may precede one that is.
-    if (line ? found.length > 0 && found.every(holds) : found.some(holds)) passed++;
-    else {
-      failed++;
-      const seen = found.map((t) => t.scopes.join(' ')).join('\n    ') || 'no such token';
-      console.error(`${scope}: ${what} is not ${wanted}:\n    ${seen}`);
-    }
-  }
+/** Why a word does not have a scope; nothing if it has. */
+function mistake(all, what, wanted) {
+  const [word, line] = /^(.+?)(?:@(\d+))?$/s.exec(what).slice(1);
+  const found = all.filter((t) => t.word === word && (!line || t.line === Number(line)));
+  const holds = (token) => token.scopes.some((s) => s === wanted || s.startsWith(`${wanted}.`));
+  // A word that is not a function name may precede one that is.
+  if (line ? found.length > 0 && found.every(holds) : found.some(holds)) return [];
+  return [`${what} is not ${wanted}: ${found.map((t) => t.scopes.join(' ')).join('\n    ') || 'no such token'}`];
 }
-console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed > 0 ? 1 : 0);
+
+for (const [scope, text, expected] of CASES) {
+  test(`${scope}: ${expected[0][0]}`, async () => {
+    const all = await tokens(scope, text);
+    assert.deepEqual(expected.flatMap(([what, wanted]) => mistake(all, what, wanted)), []);
+  });
+}

@@ -18,7 +18,16 @@ CompilerSet errorformat+=%f:%l:%c:\ %tarning[%*[^]]]:\ %m
 CompilerSet errorformat+=%f:%l:%c:\ %tnfo[%*[^]]]:\ %m
 CompilerSet errorformat+=%-Gshaderlint:\ %.%#
 
-" shaderlint counts columns in characters, and Vim in bytes.
+" shaderlint counts columns in characters, and Vim in bytes. Where 'encoding' is not UTF-8, a buffer has the
+" bytes of its file, unless 'fileencoding' says that they were converted.
+function! s:Byte(buffer, line, characters) abort
+  let l:is_converted = index(['', &encoding], getbufvar(a:buffer, '&fileencoding')) < 0
+  if &encoding ==# 'utf-8' || l:is_converted
+    return byteidx(a:line, a:characters)
+  endif
+  return matchend(a:line, '\m^\%([^\x80-\xbf][\x80-\xbf]*\)\{' . a:characters . '}')
+endfunction
+
 function! s:CountBytes() abort
   if getbufvar('%', 'current_compiler', get(g:, 'current_compiler', '')) !=# 'shaderlint'
     return
@@ -28,7 +37,7 @@ function! s:CountBytes() abort
     if l:item.valid && l:item.col > 1 && l:item.bufnr > 0
       call bufload(l:item.bufnr)
       let l:line = get(getbufline(l:item.bufnr, l:item.lnum), 0, '')
-      let l:byte = byteidx(l:line, l:item.col - 1)
+      let l:byte = s:Byte(l:item.bufnr, l:line, l:item.col - 1)
       let l:item.col = l:byte >= 0 ? l:byte + 1 : l:item.col
     endif
   endfor

@@ -24,7 +24,7 @@ const behind = (page, words) => page.evaluate(([selector, text]) => {
 }, [area, words]);
 
 async function edited(context) {
-  const { page, complaints } = await show(context, 'edited', PLAIN, '#size=16x16&paused');
+  const { page } = await show(context, 'edited', PLAIN, '#size=16x16&paused');
   await openTab(page, 'Code');
   assert.equal(await page.inputValue(area), PLAIN);
   await behind(page, 'vec4(1.0, ');
@@ -43,7 +43,6 @@ async function edited(context) {
   await page.click('#code button:text-is("Reset")');
   await page.waitForFunction((s) => document.querySelector(s).value.includes('vec4(1.0, 0.0'), area);
   await becomes(page, [255, 0, 0]);
-  assert.deepEqual(complaints, []);
 }
 
 async function keysOfTheEditor(context) {

@@ -7,7 +7,7 @@ const define = (page, name) => page.evaluate((n) => new RegExp(`#define ${n} (\\
 const hash = (page) => page.evaluate(() => location.hash);
 
 async function sliders(context) {
-  const { page, complaints } = await show(context, 'sliders', MOVING, '#size=64x36&t=0.3&paused');
+  const { page } = await show(context, 'sliders', MOVING, '#size=64x36&t=0.3&paused');
   await openTab(page, 'Controls');
   assert.deepEqual(await page.$$eval('#sliders [type=range]', (all) => all.map((i) => [i.name, i.min, i.max, i.value])), [
     ['SPEED', '0.3', '4', '1'],
@@ -31,7 +31,6 @@ async function sliders(context) {
   await page.waitForFunction(() => !location.hash.includes('u.STRIPES'));
   // Everything is back to its default.
   await becomes(page, before);
-  assert.deepEqual(complaints, []);
 }
 
 const CONSTANTS = `const float SPEED = 0.25; // (0~1)
@@ -55,7 +54,7 @@ async function constants(context) {
   const plain = await show(context, 'plain-constants', shader, hash, '--sliders', 'none');
   assert.equal(await plain.page.evaluate(() => globalThis.shaderport.player.project.tunables.length), 0);
   const before = await pixels(plain.page);
-  const { page, complaints } = await show(context, 'constants', shader, hash);
+  const { page } = await show(context, 'constants', shader, hash);
   assert.deepEqual(await pixels(page), before);
   await openTab(page, 'Controls');
   assert.deepEqual(await page.$$eval('#sliders input:not([type=number])', (all) => all.map((i) => `${i.name} ${i.type}`)), [
@@ -79,7 +78,6 @@ async function constants(context) {
   await page.waitForFunction(() => ['u.N=4', 'u.SKY=0,0.502,1', 'u.SHIFT=0,0.25', 'u.ON=0'].every((w) => location.hash.includes(w)));
   await page.click('#sliders > button:text-is("Reset all")');
   await becomes(page, before);
-  assert.deepEqual(complaints, []);
 }
 
 /** Labels of ISF are the names of its controls; the uniforms keep theirs. */
@@ -90,7 +88,7 @@ async function labels(context) {
     { "NAME": "plain", "TYPE": "bool" }
   ] }*/
   void main() { gl_FragColor = vec4(amount, float(mode) / 5.0, plain ? 1.0 : 0.0, 1.0); }`;
-  const { page, complaints } = await show(context, 'labels', code, '#size=8x8&paused&u.amount=0.25');
+  const { page } = await show(context, 'labels', code, '#size=8x8&paused&u.amount=0.25');
   await openTab(page, 'Controls');
   assert.deepEqual(await page.$$eval('#sliders .head > :first-child', (all) => all.map((n) => [n.textContent, n.title])), [
     ['Strength', 'amount'], ['Mode of it', 'mode'], ['plain', 'plain'],
@@ -100,11 +98,10 @@ async function labels(context) {
   assert.deepEqual(await page.$$eval('select[name=mode] option', (all) => all.map((o) => [o.textContent, o.value])), [['Soft', '2'], ['Hard', '5']]);
   await page.selectOption('select[name=mode]', '2');
   await page.waitForFunction(() => location.hash.includes('u.mode=2'));
-  assert.deepEqual(complaints, []);
 }
 
 async function restored(context) {
-  const { page, complaints } = await show(context, 'restored', MOVING, '#size=64x36&t=1e308&paused&u.SPEED=3&u.STRIPES=1000&u.NONE=1');
+  const { page } = await show(context, 'restored', MOVING, '#size=64x36&t=1e308&paused&u.SPEED=3&u.STRIPES=1000&u.NONE=1');
   await page.waitForFunction(() => /SPEED 3\.0[\s\S]*STRIPES 9 /.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
   assert.equal(await page.evaluate(() => globalThis.shaderport.player.clock.time), 3e7);
   await openTab(page, 'Controls');
@@ -112,9 +109,9 @@ async function restored(context) {
   await page.evaluate(() => { location.hash = '#size=64x36&t=4&paused&u.SPEED=2'; });
   await page.waitForFunction(() => globalThis.shaderport.player.clock.time === 4);
   await page.waitForFunction(() => /SPEED 2\.0/.test(globalThis.shaderport.player.project.files.find((f) => !f.hidden).text));
-  assert.deepEqual(complaints, []);
 }
 
+/** Without the permission it copies a selection, whose style the policy of the page blocks. */
 async function copied(context) {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const { page } = await show(context, 'copied', MOVING, '#size=64x36&paused&u.SPEED=3');
@@ -231,7 +228,7 @@ export const controlTests = [
   { name: 'page: sliders for constants', run: constants, context: desk },
   { name: 'page: labels of ISF', run: labels, context: desk },
   { name: 'page: options in the address', run: restored, context: desk },
-  { name: 'page: copying the link, the shader and the module', run: copied, context: desk },
+  { name: 'page: copying the link, the shader and the module', run: copied, context: desk, mayComplain: true },
   { name: 'page: the scale stays in the address', run: scale, context: desk },
   { name: 'page: controls of every kind', run: kinds, context: desk },
   { name: 'page: a heavy shader', run: heavy, context: desk },

@@ -8,7 +8,7 @@ const READER = 'void mainImage(out vec4 O, vec2 U) { O = texture(iChannel0, U / 
 const png = async (page, name) => ({ name, type: 'image/png', base64: await picture(page) });
 
 async function missing(context) {
-  const { page, complaints } = await show(context, 'missing', READER, '#size=32x32&paused', '--no-stand-ins');
+  const { page } = await show(context, 'missing', READER, '#size=32x32&paused', '--no-stand-ins');
   assert.match(await page.textContent('#notices'), /iChannel0 has no texture: drop a file here/);
   await openTab(page, 'Controls');
   assert.match(await page.textContent('#channels'), /Image iChannel0texture \(missing\)/);
@@ -20,7 +20,6 @@ async function missing(context) {
   await page.waitForFunction(() => document.querySelector('#channels').textContent.includes('four.png'));
   assert.ok(!(await page.textContent('#notices')).includes('drop a file'), 'nothing is missing any more');
   assert.notEqual(Math.max(...(await pixels(page)).filter((_, i) => i % 4 === 0)), 0);
-  assert.deepEqual(complaints, []);
 }
 
 /** A channel that an export leaves empty is also empty on ShaderToy. */

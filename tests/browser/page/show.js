@@ -16,7 +16,7 @@ void mainImage(out vec4 O, vec2 U) {
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
 export const desk = { viewport: { width: 1000, height: 600 } };
 
-/** Opens a page for the code; resolves to it with its complaints. */
+/** Opens a page for the code; resolves to it. */
 export async function show(context, name, code, hash = '', ...args) {
   const text = typeof code === 'string' ? code : JSON.stringify(code);
   const file = put(`${name}.${typeof code === 'string' ? 'glsl' : 'json'}`, text);

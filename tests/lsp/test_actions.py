@@ -2,10 +2,8 @@
 
 import os
 
-from client import INVALID_PARAMS, path_of
-from harness import (
-    by_rule, contains, errors, everything, holds, refusal, rules, same, test, without,
-)
+from client import INVALID_PARAMS, everything, path_of
+from harness import by_rule, errors, refusal, rules, without
 
 SHADER = """void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 uv = fragCoord / iResolution.xy;
@@ -29,30 +27,28 @@ def asked(client, source, finding, only=None):
 
 def titled(actions, words):
     found = [a for a in actions if a["title"].lower().startswith(words.lower())]
-    holds(len(found) == 1, "one action that is called «%s …», not %d:" % (words, len(found)), actions)
+    assert len(found) == 1, ("one action that is called «%s …», not %d:" % (words, len(found)), actions)
     return found[0]
 
 
-@test
-def a_fix_removes_only_its_diagnostic(case):
+def test_a_fix_removes_only_its_diagnostic(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     before = client.published(source.uri)
     finding = errors(before)[0]
     actions = asked(client, source, finding)
     fixes = [a for a in actions if a.get("isPreferred")]
-    same(len(fixes), 1, "the preferred actions")
+    assert len(fixes) == 1, "the preferred actions"
     fix = fixes[0]
-    same(fix["kind"], "quickfix", "its kind")
-    same([d["code"] for d in fix["diagnostics"]], [finding["code"]], "the diagnostics of the action")
+    assert fix["kind"] == "quickfix", "its kind"
+    assert [d["code"] for d in fix["diagnostics"]] == [finding["code"]], "the diagnostics of the action"
     client.apply(fix["edit"])
-    same(client.text(source.uri), source.text.replace("= 1;", "= 1.0;"), "the text")
+    assert client.text(source.uri) == source.text.replace("= 1;", "= 1.0;"), "the text"
     after = client.published(source.uri)
-    same(errors(after), [], "the errors that are left")
+    assert errors(after) == [], "the errors that are left"
 
 
-@test
-def each_of_many_fixes_removes_its_diagnostic(case):
+def test_each_of_many_fixes_removes_its_diagnostic(case):
     broken = [
         "float a = 1; c = vec4(a, p, 1.0);", "vec3 a = vec3(1, 1, 1) * 2; c = vec4(a, 1.0);",
         "float a = 1.0f; c = vec4(a);", "c = vec4(p, 0.0, 1.0)", "c = texture2D(iChannel0, p);",
@@ -72,82 +68,74 @@ def each_of_many_fixes_removes_its_diagnostic(case):
             for action in [a for a in actions if a.get("isPreferred")]:
                 client.apply(action["edit"])
                 left = errors(client.published(uri))
-                holds(len(left) < count, "a fix of «%s» that does not remove it:" % body, client.text(uri), left)
+                assert len(left) < count, (
+                    "a fix of «%s» that does not remove it:" % body, client.text(uri), left
+                )
                 mended += 1
                 client.write_all(uri, text)
                 client.published(uri)
-    holds(mended >= 6, "only %d of them have a fix" % mended)
+    assert mended >= 6, "only %d of them have a fix" % mended
 
 
-@test
-def a_comment_suppresses_a_diagnostic(case):
+def test_a_comment_suppresses_a_diagnostic(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", GOOD).open(client)
     finding = by_rule(client.published(source.uri), "unused-variable")
     action = titled(asked(client, source, finding), "Allow `unused-variable`")
     client.apply(action["edit"])
-    contains(client.text(source.uri),
-             "\n    // shaderlint: allow(unused-variable)\n    float unused = 2.0;\n", "the text")
+    assert "\n    // shaderlint: allow(unused-variable)\n    float unused = 2.0;\n" in client.text(source.uri)
     left = client.published(source.uri)
-    same([r for r in rules(left) if r in ("unused-variable", "unused-suppression")], [], "the remaining diagnostics")
+    assert [r for r in rules(left) if r in ("unused-variable", "unused-suppression")] == []
 
 
-@test
-def errors_cannot_be_suppressed(case):
+def test_errors_cannot_be_suppressed(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
-    same([a["title"] for a in asked(client, source, finding) if a["title"].startswith("Allow")], [],
-         "the actions that allow it")
+    assert [a["title"] for a in asked(client, source, finding) if a["title"].startswith("Allow")] == []
 
 
-@test
-def a_diagnostic_can_be_explained(case):
+def test_a_diagnostic_can_be_explained(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", GOOD).open(client)
     finding = by_rule(client.published(source.uri), "unused-variable")
     command = titled(asked(client, source, finding), "Explain")["command"]
-    holds(command["command"] in client.initialized["capabilities"]["executeCommandProvider"]["commands"],
-          "a command that was not announced", command)
+    assert command["command"] in client.initialized["capabilities"]["executeCommandProvider"]["commands"]
     page = client.request("workspace/executeCommand", command)
-    contains(page, "unused-variable", "the page of the rule")
+    assert "unused-variable" in page, "the page of the rule"
     shown = client.asked_for("window/showDocument")
     with open(path_of(shown["uri"]), encoding="utf-8") as file:
-        same(file.read(), page, "the page that is shown")
+        assert file.read() == page, "the page that is shown"
 
 
-@test
-def explanations_are_messages_without_show_document(case):
+def test_explanations_are_messages_without_show_document(case):
     client = case.client(capabilities=without(everything(), "window"), options=QUIET)
     client.request("workspace/executeCommand",
                    {"command": "shaderlint.explain", "arguments": ["unused-variable"]})
     messages = client.wait_until(lambda: client.told("window/showMessage"), "no message is shown")
-    contains(messages[0]["message"], "unused-variable", "the message")
-    same([m["method"] for m in client.asked if m["method"] == "window/showDocument"], [], "documents")
+    assert "unused-variable" in messages[0]["message"], "the message"
+    assert [m["method"] for m in client.asked if m["method"] == "window/showDocument"] == [], "documents"
 
 
-@test
-def unknown_rules_are_not_explained(case):
+def test_unknown_rules_are_not_explained(case):
     client = case.client()
     refusal(lambda: client.request("workspace/executeCommand", {
         "command": "shaderlint.explain", "arguments": ["no-such-rule"]}), INVALID_PARAMS)
 
 
-@test
-def actions_are_filtered_by_kind(case):
+def test_actions_are_filtered_by_kind(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
-    same(asked(client, source, finding, ["refactor"]), [], "refactorings")
+    assert asked(client, source, finding, ["refactor"]) == [], "refactorings"
     kinds = {a["kind"] for a in asked(client, source, finding, ["quickfix"])}
-    same(kinds, {"quickfix"}, "quick fixes")
+    assert kinds == {"quickfix"}, "quick fixes"
     for only in ("source", "source.fixAll", "source.fixAll.shaderlint"):
         kinds = {a["kind"] for a in asked(client, source, finding, [only])}
-        same(kinds, {"source.fixAll.shaderlint"}, "the actions of kind %s" % only)
+        assert kinds == {"source.fixAll.shaderlint"}, "the actions of kind %s" % only
     nowhere = client.lines(source.uri).range(0, 0)
     context = {"diagnostics": []}
-    same(client.of(source.uri, "textDocument/codeAction", range=nowhere, context=context), [],
-         "the actions without a diagnostic")
+    assert client.of(source.uri, "textDocument/codeAction", range=nowhere, context=context) == []
 
 
 PARTS = """// A wave.
@@ -170,33 +158,31 @@ def refactorings(client, source, start, end, only="refactor", trigger=1):
     return client.of(source.uri, "textDocument/codeAction", range=chosen, context=context)
 
 
-@test
-def expressions_are_extracted_and_variables_inlined(case):
+def test_expressions_are_extracted_and_variables_inlined(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", PARTS).open(client)
     found = refactorings(client, source, source["sum"], source["end"])
     kinds = {a["title"]: a["kind"] for a in found}
-    same(kinds, {"Extract to variable": "refactor.extract.variable",
-                 "Extract to function": "refactor.extract.function",
-                 "Preview this value": "refactor"}, "the refactorings")
-    holds(set(kinds.values()) < set(client.initialized["capabilities"]["codeActionProvider"]["codeActionKinds"]),
-          "kinds that were not announced")
+    assert kinds == {
+        "Extract to variable": "refactor.extract.variable",
+        "Extract to function": "refactor.extract.function",
+        "Preview this value": "refactor",
+    }, "the refactorings"
+    assert set(kinds.values()) < set(client.initialized["capabilities"]["codeActionProvider"]["codeActionKinds"])
     # A server whose client has no command for it does not ask for a name.
     commands = [a["command"]["command"] for a in found if "command" in a]
-    same(commands, ["shaderlint.openPreview"], "the commands")
+    assert commands == ["shaderlint.openPreview"], "the commands"
     functions = refactorings(client, source, source["sum"], source["end"], "refactor.extract.function")
-    same([a["title"] for a in functions], ["Extract to function"], "the refactorings of a kind")
+    assert [a["title"] for a in functions] == ["Extract to function"], "the refactorings of a kind"
     client.apply(titled(found, "Extract to variable")["edit"])
-    contains(client.text(source.uri),
-             "\n    float value = uv.x * 2.0;\n    float bright = value + wave(uv.y);\n", "the text")
-    same(errors(client.published(source.uri)), [], "the errors")
+    assert "\n    float value = uv.x * 2.0;\n    float bright = value + wave(uv.y);\n" in client.text(source.uri)
+    assert errors(client.published(source.uri)) == [], "the errors"
     at = client.text(source.uri).index("value")
     client.apply(titled(refactorings(client, source, at, at), "Inline variable")["edit"])
-    contains(client.text(source.uri), "\n    float bright = uv.x * 2.0 + wave(uv.y);\n", "the text")
+    assert "\n    float bright = uv.x * 2.0 + wave(uv.y);\n" in client.text(source.uri), "the text"
 
 
-@test
-def new_names_are_renamed_by_the_client(case):
+def test_new_names_are_renamed_by_the_client(case):
     client = case.client(options={"run": False, "renameCommand": "editor.rename"})
     source = case.write("a.glsl", PARTS).open(client)
     found = refactorings(client, source, source["sum"], source["end"])
@@ -206,85 +192,80 @@ def new_names_are_renamed_by_the_client(case):
         text = client.text(source.uri)
         client.apply(action["edit"])
         uri, position = action["command"]["arguments"]
-        same((action["command"]["command"], uri), ("editor.rename", source.uri), "the command")
+        assert (action["command"]["command"], uri) == ("editor.rename", source.uri), "the command"
         at = client.lines(uri).offset(position)
         name = {"Extract to variable": "value ", "Extract to function": "extracted("}[action["title"]]
-        holds(client.text(uri)[at:].startswith(name), "another name at the position", client.text(uri)[at:])
+        assert client.text(uri)[at:].startswith(name), ("another name at the position", client.text(uri)[at:])
         client.write_all(source.uri, text)
 
 
-@test
-def functions_move_to_new_files(case):
+def test_functions_move_to_new_files(case):
     capabilities = everything()
     capabilities["workspace"]["workspaceEdit"] = {"documentChanges": True, "resourceOperations": ["create"]}
     client = case.client(capabilities=capabilities, options=QUIET)
     source = case.write("a.glsl", PARTS).open(client)
     at = source.text.index("wave(float")
     client.apply(titled(refactorings(client, source, at, at), "Move `wave`")["edit"])
-    contains(client.text(source.uri), "#include \"wave.glsl\"\n\nvoid mainImage", "the text")
+    assert "#include \"wave.glsl\"\n\nvoid mainImage" in client.text(source.uri), "the text"
     with open(os.path.join(case.folder, "wave.glsl"), encoding="utf-8") as file:
-        same(file.read(), "// A wave.\nfloat wave(float x) {\n    return sin(x) * 0.5;\n}\n", "the file")
-    same(errors(client.published(source.uri)), [], "the errors")
+        assert file.read() == "// A wave.\nfloat wave(float x) {\n    return sin(x) * 0.5;\n}\n", "the file"
+    assert errors(client.published(source.uri)) == [], "the errors"
     # Other clients cannot create files.
     client = case.client(options=QUIET)
     other = case.write("b.glsl", PARTS.replace("wave", "ripple")).open(client)
     found = refactorings(client, other, at, at)
-    same([a for a in found if a["kind"] == "refactor.move"], [], "without files")
+    assert [a for a in found if a["kind"] == "refactor.move"] == [], "without files"
 
 
-@test
-def a_cursor_that_moves_gets_no_refactorings(case):
+def test_a_cursor_that_moves_gets_no_refactorings(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", PARTS).open(client)
     at = source.text.index("bright")
-    holds(refactorings(client, source, at, at), "none on request")
-    same(refactorings(client, source, at, at, trigger=2), [], "without a request")
+    assert refactorings(client, source, at, at), "none on request"
+    assert refactorings(client, source, at, at, trigger=2) == [], "without a request"
     # Code with errors is not refactored.
     client.write_all(source.uri, source.text.replace("bright);", "bright + 1);"))
-    same(refactorings(client, source, at, at), [], "with an error")
+    assert refactorings(client, source, at, at) == [], "with an error"
 
 
-@test
-def fix_all_applies_safe_fixes(case):
+def test_fix_all_applies_safe_fixes(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     finding = errors(client.published(source.uri))[0]
     actions = asked(client, source, finding, ["source.fixAll"])
-    same(len(actions), 1, "the actions")
+    assert len(actions) == 1, "the actions"
     client.apply(actions[0]["edit"])
     found = client.published(source.uri)
-    same(errors(found), [], "the errors that are left")
+    assert errors(found) == [], "the errors that are left"
     # A second run has nothing left to fix.
-    same(asked(client, source, found[0], ["source.fixAll"]), [], "after the second run")
+    assert asked(client, source, found[0], ["source.fixAll"]) == [], "after the second run"
 
 
-@test
-def a_command_fixes_all(case):
+def test_a_command_fixes_all(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", SHADER).open(client)
     client.published(source.uri)
     client.request("workspace/executeCommand",
                    {"command": "shaderlint.fixAll", "arguments": [source.uri]})
     params = client.asked_for("workspace/applyEdit")
-    contains(params["label"].lower(), "fix", "the label")
+    assert "fix" in params["label"].lower(), "the label"
     found = client.wait_until(lambda: client.documents[source.uri].version > 1, "no edit is applied")
-    holds(found, "no edit is applied")
-    same(errors(client.published(source.uri)), [], "the errors that are left")
+    assert found, "no edit is applied"
+    assert errors(client.published(source.uri)) == [], "the errors that are left"
     refusal(lambda: client.request("workspace/executeCommand", {
         "command": "shaderlint.fixAll", "arguments": ["file:///nowhere.glsl"]}), INVALID_PARAMS)
 
 
-@test
-def a_shader_is_shown_in_a_browser(case):
+def test_a_shader_is_shown_in_a_browser(case):
     client = case.client(options=QUIET)
     source = case.write("a.glsl", GOOD).open(client)
     client.request("workspace/executeCommand",
                    {"command": "shaderlint.openPreview", "arguments": [source.uri]})
     shown = client.asked_for("window/showDocument")
-    same(shown.get("external"), True, "external")
+    assert shown.get("external") is True, "external"
     path = path_of(shown["uri"])
-    holds(path.endswith(".html"), "no page is shown", shown)
+    assert path.endswith(".html"), f"no page is shown: {shown}"
     with open(path, encoding="utf-8") as file:
-        contains(file.read().lower(), "<canvas", "the page")
+        assert "<canvas" in file.read().lower(), "the page"
     client.stop()
-    holds(not os.path.exists(path), "the page was not deleted", path)
+    assert not os.path.exists(path), f"the page was not deleted: {path}"

@@ -1,31 +1,23 @@
-"""Tests the tools of `shaderlint mcp` with the protocol's official client library, and raw
-messages that no client of it sends.
-
-    client.py PROGRAM
-"""
+"""The tools of `shaderlint mcp` with the protocol's official client library, and raw messages that
+no client of it sends."""
 
 import asyncio
 import base64
-import concurrent.futures
 import contextlib
-import faulthandler
-import inspect
 import json
 import os
 import pathlib
+import select
 import struct
 import subprocess
-import sys
 import tempfile
-import time
-import traceback
 
+import pytest
 from mcp import ClientSession, StdioServerParameters
 from mcp.client.stdio import stdio_client
 
-PROGRAM = os.path.abspath(sys.argv[1])
-# Timeout for all tests in seconds: a busy machine is slow, not wrong.
-LIMIT = 900
+# Tests with `tools` are coroutines.
+pytestmark = pytest.mark.anyio
 # Limit of the text in an answer in bytes, including the note about omitted lines.
 MAX_TEXT = 24_200
 
@@ -43,13 +35,6 @@ ROOT = """void mainImage(out vec4 color, in vec2 at) {
 """
 PLAIN = """void mainImage(out vec4 color, in vec2 at) {
     color = vec4(at / iResolution.xy, 0.5, 1.0);
-}
-"""
-# Takes minutes on one core.
-SLOW = """void mainImage(out vec4 color, in vec2 at) {
-    float sum = 0.0;
-    for (int i = 0; i < 2000000; i++) sum += sin(sum + float(i) * at.x);
-    color = vec4(sum);
 }
 """
 
@@ -90,13 +75,17 @@ class Tools:
         return (self.folder / name).read_text()
 
 
-@contextlib.asynccontextmanager
-async def session():
-    with tempfile.TemporaryDirectory() as folder:
-        server = StdioServerParameters(command=PROGRAM, args=["mcp"], cwd=folder)
-        async with stdio_client(server) as (reader, writer), ClientSession(reader, writer) as client:
-            await client.initialize()
-            yield Tools(client, pathlib.Path(folder))
+@pytest.fixture
+def anyio_backend():
+    return "asyncio"
+
+
+@pytest.fixture
+async def tools(shaderlint, tmp_path):
+    server = StdioServerParameters(command=shaderlint, args=["mcp"], cwd=tmp_path)
+    async with stdio_client(server) as (reader, writer), ClientSession(reader, writer) as client:
+        await client.initialize()
+        yield Tools(client, tmp_path)
 
 
 async def test_tools_are_described(tools):
@@ -149,12 +138,12 @@ async def test_check_reports_unreadable_input(tools):
 
 
 async def test_long_answers_are_truncated_and_keep_the_summary(tools):
-    for number in range(300):
+    for number in range(160):
         tools.write(f"{number:03}.glsl", BROKEN)
     text = await tools.good("check", path=".")
     assert text.startswith("000.glsl:2:36: error"), text[:200]
     assert "lines omitted" in text
-    assert "Found 600 errors (300 shaders in 300 files)" in text.splitlines()[-2], text[-500:]
+    assert "Found 320 errors (160 shaders in 160 files)" in text.splitlines()[-2], text[-500:]
 
 
 async def test_a_path_may_look_like_an_option(tools):
@@ -296,40 +285,54 @@ async def test_calls_run_concurrently(tools):
     assert all(await asyncio.gather(*calls))
 
 
-def test_a_cancelled_call_ends_its_process():
-    with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
-        for message in (*BEGINNING, called(2, "run", {"code": SLOW})):
+@contextlib.contextmanager
+def raw(shaderlint, folder):
+    """A server in a folder, for raw messages."""
+    pipe = subprocess.PIPE
+    with subprocess.Popen([shaderlint, "mcp"], cwd=folder, stdin=pipe, stdout=pipe) as server:
+        for message in BEGINNING:
             say(server, message)
-        wait_for(lambda: children(server.pid))
-        say(server, {"jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": 2}})
-        wait_for(lambda: not children(server.pid))
+        yield server
+
+
+@contextlib.contextmanager
+def running(server, folder):
+    """Calls a tool whose process waits for a shader, as one that runs for long. At the end the process
+    must exit."""
+    os.mkfifo(folder / "a.glsl")
+    say(server, called(2, "run", {"path": "a.glsl"}))
+    # Returns when the process opens the file, too.
+    writer = os.open(folder / "a.glsl", os.O_WRONLY)
+    yield
+    closed = select.poll()
+    closed.register(writer, 0)
+    assert closed.poll() == [(writer, select.POLLERR)]
+    os.close(writer)
+
+
+def test_a_cancelled_call_ends_its_process(shaderlint, tmp_path):
+    with raw(shaderlint, tmp_path) as server:
+        with running(server, tmp_path):
+            say(server, {"jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": 2}})
         say(server, called(3, "check", {"code": PLAIN}))
         while (answer := json.loads(server.stdout.readline()))["id"] != 3:
             assert answer["id"] == 1, "no answer to a cancelled call"
         assert not answer["result"]["isError"], answer
-        server.stdin.close()
 
 
-def test_a_client_that_exits_immediately():
-    done = subprocess.run([PROGRAM, "mcp"], stdin=subprocess.DEVNULL, capture_output=True)
+def test_a_client_that_exits_immediately(shaderlint):
+    done = subprocess.run([shaderlint, "mcp"], stdin=subprocess.DEVNULL, capture_output=True)
     assert (done.returncode, done.stdout) == (0, b""), done
 
 
-def test_a_client_that_exits_during_a_call():
-    with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
-        for message in (*BEGINNING, called(2, "run", {"code": SLOW})):
-            say(server, message)
-        wait_for(lambda: children(server.pid))
-        own = children(server.pid)
+def test_a_client_that_exits_during_a_call(shaderlint, tmp_path):
+    with raw(shaderlint, tmp_path) as server, running(server, tmp_path):
         server.stdin.close()
         server.wait()
-    wait_for(lambda: not any(os.path.exists(f"/proc/{pid}") for pid in own))
 
 
-def test_invalid_messages_are_answered_or_ignored():
-    with subprocess.Popen([PROGRAM, "mcp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as server:
-        for message in BEGINNING:
-            say(server, message)
+def test_invalid_messages_are_answered_or_ignored(shaderlint, tmp_path):
+    with raw(shaderlint, tmp_path) as server:
         for line in (b"this is no JSON\n", b"{}\n", b"[1, 2]\n", b"\xff\xfe\n", b"{" * 10_000 + b"\n"):
             server.stdin.write(line)
         say(server, called(2, "no-such-tool", {}))
@@ -374,52 +377,3 @@ def say(server, message):
 def size_of(png):
     assert png[:8] == b"\x89PNG\r\n\x1a\n"
     return struct.unpack(">II", png[16:24])
-
-
-def children(pid):
-    """The child processes of a process."""
-    found = []
-    for task in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
-        with contextlib.suppress(OSError):
-            found += [int(word) for word in task.read_text().split()]
-    return found
-
-
-def wait_for(condition):
-    """Polls a condition."""
-    while not condition():
-        time.sleep(0.005)
-
-
-async def in_session(test):
-    async with session() as tools:
-        await test(tools)
-
-
-def run(test):
-    if inspect.iscoroutinefunction(test):
-        asyncio.run(in_session(test))
-    else:
-        test()
-
-
-def main():
-    faulthandler.dump_traceback_later(LIMIT, exit=True)
-    passed = failed = 0
-    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
-    # Each test has its own server and folder, and one waits some seconds for a server to exit.
-    with concurrent.futures.ThreadPoolExecutor(4) as pool:
-        done = {name: pool.submit(run, test) for name, test in tests.items()}
-    for name, outcome in done.items():
-        try:
-            outcome.result()
-            passed += 1
-        except Exception:
-            failed += 1
-            print(f"{name} failed:", file=sys.stderr)
-            traceback.print_exc()
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not passed else 0
-
-
-sys.exit(main())

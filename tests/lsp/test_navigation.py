@@ -2,7 +2,7 @@
 
 import re
 
-from harness import errors, holds, pulling, same, test
+from harness import errors, pulling
 
 LIBRARY = """struct «struct»Ray { vec3 «member»origin; vec3 direction; };
 float «proto»shape(vec3 p);
@@ -33,49 +33,46 @@ def opened(case):
 
 def place(client, found):
     """A location as URI and start offset."""
-    holds(found, "no location")
+    assert found, "no location"
     found = found[0] if isinstance(found, list) else found
     return found["uri"], client.lines(found["uri"]).span(found["range"])[0]
 
 
-@test
-def definitions_are_found_in_this_file_and_in_others(case):
+def test_definitions_are_found_in_this_file_and_in_others(case):
     client, source, library = opened(case)
     for name, target, mark in (
         ("call", library, "def"), ("field", library, "member"), ("expand", source, "macro"),
         ("read", source, "local"), ("use", source, "param"), ("local", source, "local"),
     ):
         found = client.at(source.uri, source[name], "textDocument/definition")
-        same(place(client, found), (target.uri, target[mark]), "the definition of «%s»" % name)
+        assert place(client, found) == (target.uri, target[mark]), "the definition of «%s»" % name
     found = client.at(source.uri, source["call"], "textDocument/declaration")
-    same(place(client, found), (library.uri, library["proto"]), "the declaration")
+    assert place(client, found) == (library.uri, library["proto"]), "the declaration"
     found = client.at(source.uri, source["path"], "textDocument/definition")
-    same(place(client, found), (library.uri, 0), "the file that is included")
-    same(client.at(source.uri, source["host"], "textDocument/definition"), None, "the definition of a host's name")
+    assert place(client, found) == (library.uri, 0), "the file that is included"
+    assert client.at(source.uri, source["host"], "textDocument/definition") is None
     for name in ("variable", "use"):
         found = client.at(source.uri, source[name], "textDocument/typeDefinition")
-        same(place(client, found), (library.uri, library["struct"]), "the type of «%s»" % name)
-    same(client.at(source.uri, source["read"], "textDocument/typeDefinition"), None, "the type of a number")
+        assert place(client, found) == (library.uri, library["struct"]), "the type of «%s»" % name
+    assert client.at(source.uri, source["read"], "textDocument/typeDefinition") is None, "the type of a number"
 
 
-@test
-def definitions_use_unsaved_texts(case):
+def test_definitions_use_unsaved_texts(case):
     client, source, library = opened(case)
     library.open(client)
     client.replace(library.uri, 0, 0, "// é\n// 𝄞\n")
     found = client.at(source.uri, source["call"], "textDocument/definition")
-    same(place(client, found), (library.uri, library["def"] + len("// é\n// 𝄞\n")), "the definition")
+    assert place(client, found) == (library.uri, library["def"] + len("// é\n// 𝄞\n")), "the definition"
 
 
-@test
-def the_definition_of_an_include_path_is_the_file(case):
+def test_the_definition_of_an_include_path_is_the_file(case):
     client = case.client()
     case.write("one/lib.glsl", "float one() { return 1.0; }\n")
     case.write("two/lib.glsl", "float two() { return 2.0; }\n")
     source = case.write("a.glsl", '#include "one/lib.glsl"\n#include "«path»two/lib.glsl"\n'
                         "float both() { return one() + two(); }\n").open(client)
     found = client.at(source.uri, source["path"], "textDocument/definition")
-    same(place(client, found)[0], case.uri("two/lib.glsl"), "the file")
+    assert place(client, found)[0] == case.uri("two/lib.glsl"), "the file"
 
 
 def references(client, source, offset, declaration=True):
@@ -89,8 +86,7 @@ def every(source, word):
     return [m.start() for m in re.finditer(r"\b%s\b" % word, source.text)]
 
 
-@test
-def references_are_found_in_all_files(case):
+def test_references_are_found_in_all_files(case):
     client, source, library = opened(case)
     other = case.write("b.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) {\n'
                        "    float shapes = 1.0;\n    c = vec4(shape(vec3(p, shapes)));\n}\n")
@@ -98,29 +94,27 @@ def references_are_found_in_all_files(case):
     case.write("c.glsl", "float shape(vec3 p) { return 1.0; }\nvoid mainImage(out vec4 c, in vec2 p) "
                "{ c = vec4(shape(vec3(p, 1.0))); }\n")
     everywhere = sorted([(s.uri, at) for s in (source, library, other) for at in every(s, "shape")])
-    same(references(client, source, source["call"]), everywhere, "from a call")
+    assert references(client, source, source["call"]) == everywhere, "from a call"
     library.open(client)
-    same(references(client, library, library["def"]), everywhere, "from the definition")
+    assert references(client, library, library["def"]) == everywhere, "from the definition"
     calls = [(u, at) for u, at in everywhere if u != library.uri]
-    same(references(client, source, source["call"], declaration=False), calls, "without declarations")
-    same(references(client, source, source["read"]), [(source.uri, at) for at in every(source, "t")], "of a local")
+    assert references(client, source, source["call"], declaration=False) == calls, "without declarations"
+    assert references(client, source, source["read"]) == [(source.uri, at) for at in every(source, "t")]
 
 
-@test
-def highlights_distinguish_reads_and_writes(case):
+def test_highlights_distinguish_reads_and_writes(case):
     client, source, _ = opened(case)
     found = client.at(source.uri, source["read"], "textDocument/documentHighlight")
     kinds = {client.lines(source.uri).span(h["range"])[0]: h["kind"] for h in found}
-    same(sorted(kinds), every(source, "t"), "the places")
-    same(kinds[source["write"]], 3, "the kind of `t +=`, where 3 is a write")
-    same(kinds[source["read"]], 2, "the kind of a use, where 2 is a read")
+    assert sorted(kinds) == every(source, "t"), "the places"
+    assert kinds[source["write"]] == 3, "the kind of `t +=`, where 3 is a write"
+    assert kinds[source["read"]] == 2, "the kind of a use, where 2 is a read"
     found = client.at(source.uri, source["expand"], "textDocument/documentHighlight")
-    same(sorted(client.lines(source.uri).at(h["range"]) for h in found), ["FAR", "FAR"], "of a macro")
-    same(client.at(source.uri, source.text.index("{"), "textDocument/documentHighlight") or [], [], "of a bracket")
+    assert sorted(client.lines(source.uri).at(h["range"]) for h in found) == ["FAR", "FAR"], "of a macro"
+    assert (client.at(source.uri, source.text.index("{"), "textDocument/documentHighlight") or []) == []
 
 
-@test
-def passes_of_a_folder_use_their_common_code(case):
+def test_passes_of_a_folder_use_their_common_code(case):
     client = case.client()
     common = case.write("common.glsl", "float «def»wave(float x) { return sin(x); }\n")
     image = case.write("image.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
@@ -128,45 +122,42 @@ def passes_of_a_folder_use_their_common_code(case):
     buffer = case.write("bufferA.glsl", "void mainImage(out vec4 c, in vec2 p) {\n"
                         "    c = vec4(p / iResolution.xy, «use»wave(iTime), 1.0);\n}\n").open(client)
     for source in (image, buffer):
-        same(errors(client.published(source.uri)), [], "the errors of a pass")
+        assert errors(client.published(source.uri)) == [], "the errors of a pass"
         found = client.at(source.uri, source["use"], "textDocument/definition")
-        same(place(client, found), (common.uri, common["def"]), "the definition")
+        assert place(client, found) == (common.uri, common["def"]), "the definition"
     expected = sorted([(common.uri, common["def"]), (image.uri, image["use"]), (buffer.uri, buffer["use"])])
-    same(references(client, image, image["use"]), expected, "from a pass")
+    assert references(client, image, image["use"]) == expected, "from a pass"
     common.open(client)
-    same(references(client, common, common["def"]), expected, "from the common code")
+    assert references(client, common, common["def"]) == expected, "from the common code"
 
 
-@test
-def calls_are_followed_both_ways(case):
+def test_calls_are_followed_both_ways(case):
     client, source, library = opened(case)
     item = client.at(source.uri, source["call"], "textDocument/prepareCallHierarchy")[0]
-    same((item["name"], item["uri"]), ("shape", library.uri), "the function")
+    assert (item["name"], item["uri"]) == ("shape", library.uri), "the function"
     lines = client.lines(item["uri"])
     outer, inner = lines.span(item["range"]), lines.span(item["selectionRange"])
-    holds(outer[0] <= inner[0] and inner[1] <= outer[1], "its selection range is outside its range", item)
+    assert outer[0] <= inner[0] and inner[1] <= outer[1], f"its selection range is outside its range: {item}"
     march = client.at(source.uri, source.text.index("march(Ray"), "textDocument/prepareCallHierarchy")[0]
     calls = client.request("callHierarchy/outgoingCalls", {"item": march})
-    same([c["to"]["name"] for c in calls], ["shape"], "what march calls")
-    same([client.lines(source.uri).at(r) for r in calls[0]["fromRanges"]], ["shape"], "where it calls")
+    assert [c["to"]["name"] for c in calls] == ["shape"], "what march calls"
+    assert [client.lines(source.uri).at(r) for r in calls[0]["fromRanges"]] == ["shape"], "where it calls"
     calls = client.request("callHierarchy/incomingCalls", {"item": march})
-    same([c["from"]["name"] for c in calls], ["mainImage"], "who calls march")
-    same([client.lines(source.uri).at(r) for r in calls[0]["fromRanges"]], ["march"], "where it is called")
-    same(client.at(source.uri, source["local"], "textDocument/prepareCallHierarchy"), None, "of a variable")
+    assert [c["from"]["name"] for c in calls] == ["mainImage"], "who calls march"
+    assert [client.lines(source.uri).at(r) for r in calls[0]["fromRanges"]] == ["march"], "where it is called"
+    assert client.at(source.uri, source["local"], "textDocument/prepareCallHierarchy") is None, "of a variable"
 
 
-@test
-def callers_are_found_in_other_files(case):
+def test_callers_are_found_in_other_files(case):
     client, source, library = opened(case)
     library.open(client)
     item = client.at(library.uri, library["def"], "textDocument/prepareCallHierarchy")[0]
     calls = client.request("callHierarchy/incomingCalls", {"item": item})
     found = sorted((c["from"]["name"], c["from"]["uri"]) for c in calls)
-    same(found, [("mainImage", source.uri), ("march", source.uri)], "who calls shape")
+    assert found == [("mainImage", source.uri), ("march", source.uri)], "who calls shape"
 
 
-@test
-def overloads_are_distinguished(case):
+def test_overloads_are_distinguished(case):
     client = case.client()
     source = case.write("a.glsl", """float «one»size(vec2 p) { return length(p); }
 float «two»size(vec3 p) { return length(p) * 2.0; }
@@ -174,13 +165,11 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(«first»size(p), «second»siz
 """).open(client)
     for use, target in (("first", "one"), ("second", "two")):
         found = client.at(source.uri, source[use], "textDocument/definition")
-        same(place(client, found)[1], source[target], "the definition of the %s call" % use)
-        same(references(client, source, source[use]),
-             sorted((source.uri, source[n]) for n in (use, target)), "the references")
+        assert place(client, found)[1] == source[target], "the definition of the %s call" % use
+        assert references(client, source, source[use]) == sorted((source.uri, source[n]) for n in (use, target))
 
 
-@test
-def slow_requests_leave_no_stale_state(case):
+def test_slow_requests_leave_no_stale_state(case):
     """A request over all files takes time; the state read for it is not kept for a newer text."""
     capabilities = pulling()
     for number in range(200):
@@ -191,7 +180,7 @@ def slow_requests_leave_no_stale_state(case):
     client = case.client(capabilities=capabilities, settings={"shaderlint": {"run": False}})
     library.open(client)
     source.open(client)
-    same(client.of(source.uri, "textDocument/diagnostic")["items"], [], "at first")
+    assert client.of(source.uri, "textDocument/diagnostic")["items"] == [], "at first"
     for count in (0, 10, 30, 100, 300):
         client.replace(source.uri, 0, 0, "\n")
         number = client.send("workspace/symbol", {"query": "nowhere"})
@@ -201,7 +190,7 @@ def slow_requests_leave_no_stale_state(case):
         client.replace(library.uri, library["fn"], library["fn"] + 4, "ripp")
         client.wait(number)
         found = client.of(source.uri, "textDocument/diagnostic")["items"]
-        same(len(errors(found)), 1, "the errors after `wave` was renamed")
+        assert len(errors(found)) == 1, "the errors after `wave` was renamed"
         client.write_all(library.uri, library.text)
         client.replace(source.uri, 0, 0, "\n")
-        same(errors(client.of(source.uri, "textDocument/diagnostic")["items"]), [], "with the old name")
+        assert errors(client.of(source.uri, "textDocument/diagnostic")["items"]) == [], "with the old name"

@@ -9,13 +9,12 @@ bound. A seed determines the edits; the seed of a failing session is printed.
 import json
 import os
 import random
-import shutil
 import subprocess
-import tempfile
-import time
+
+import pytest
 
 from client import (
-    CANCELLED, CONTENT_MODIFIED, REQUEST_FAILED, Client, RpcError, Violation, everything, uri_of,
+    CANCELLED, CONTENT_MODIFIED, REQUEST_FAILED, Client, Violation, everything, uri_of,
 )
 from harness import pulling
 from text import Lines
@@ -91,8 +90,6 @@ TEXTS = [
 ]
 RANGES = ["codeAction", "inlayHint", "rangeFormatting", "semanticTokens/range", "colorPresentation"]
 FORMAT = {"tabSize": 4, "insertSpaces": True}
-# Bursts per session.
-MOST_BURSTS = 600
 # Error codes that a request may be answered with.
 ALLOWED = (CANCELLED, CONTENT_MODIFIED, REQUEST_FAILED)
 
@@ -105,9 +102,9 @@ def name_of(uri):
 class Typist:
     """Somebody who types into several texts at once."""
 
-    def __init__(self, program, seed):
+    def __init__(self, program, folder, seed):
         self.random = random.Random(seed)
-        self.folder = os.path.realpath(tempfile.mkdtemp(prefix="lsp-random-"))
+        self.folder = folder
         for name, text in STARTS.items():
             with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
@@ -131,10 +128,6 @@ class Typist:
 
     def uri(self, name):
         return uri_of(os.path.join(self.folder, name))
-
-    def end(self):
-        self.client.kill()
-        shutil.rmtree(self.folder, ignore_errors=True)
 
     # Edits.
 
@@ -313,12 +306,13 @@ def static(findings):
         for d in findings if not any(word in d["message"] for word in ran) and d["code"] not in RUNTIME)
 
 
-def runtime_rules(program):
-    """The rules that only sampling answers: their diagnostics arrive later."""
-    out = subprocess.run([program, "rules", "--format", "json"], stdout=subprocess.PIPE, check=True)
+@pytest.fixture(scope="module", autouse=True)
+def runtime_rules(shaderlint):
+    """Collects the rules that only sampling answers: their diagnostics arrive later."""
+    out = subprocess.run([shaderlint, "rules", "--format", "json"], stdout=subprocess.PIPE, check=True)
     rules = json.loads(out.stdout)
     rules = rules["rules"] if isinstance(rules, dict) else rules
-    return {r["name"] for r in rules if r.get("group") == "runtime"}
+    RUNTIME.update(r["name"] for r in rules if r.get("group") == "runtime")
 
 
 def resident(pid):
@@ -333,9 +327,8 @@ def resident(pid):
     return None
 
 
-def session(program, seed, bursts):
-    """Types some bursts into one server; raises failures."""
-    typist = Typist(program, seed)
+def test_random_edits(shaderlint, tmp_path, seed, bursts):
+    typist = Typist(shaderlint, str(tmp_path), seed)
     early = None
     try:
         for burst in range(bursts):
@@ -348,30 +341,7 @@ def session(program, seed, bursts):
             if burst == bursts // 4:
                 early = resident(typist.client.process.pid)
         late = resident(typist.client.process.pid)
-        if early and late and late > early * 1.25 + 20:
-            raise AssertionError("memory grows from %.0f to %.0f MB" % (early, late))
+        assert not (early and late) or late <= early * 1.25 + 20, f"memory grows from {early} to {late} MB"
         typist.client.stop()
-        return early, late
     finally:
-        typist.end()
-
-
-def run(program, bursts, seed):
-    """Random sessions, each with the next seed; returns whether all passed."""
-    RUNTIME.update(runtime_rules(program))
-    fine = True
-    while bursts > 0:
-        # Sessions long enough that growing memory shows, and several seeds in a long run.
-        count = min(bursts, MOST_BURSTS)
-        begun = time.monotonic()
-        try:
-            early, late = session(program, seed, count)
-            print("ok     random edits, seed %d: %d bursts, %s (%.1f s)" % (
-                seed, count, "%.0f MB, then %.0f MB" % (early, late) if early and late else "memory unknown",
-                time.monotonic() - begun), flush=True)
-        except (AssertionError, RpcError, TimeoutError, ValueError, OSError, Violation) as error:
-            fine = False
-            print("FAILED random edits, seed %d: %s" % (seed, str(error)[:6000]), flush=True)
-        bursts -= count
-        seed += 1
-    return fine
+        typist.client.kill()

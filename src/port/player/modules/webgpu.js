@@ -195,6 +195,31 @@ function targetStore(users, kept) {
   return { targets, sizeOfPass, resize, clear };
 }
 
+/** Sets the texture of a channel of the Image, or of all samplers with a name. */
+function setChannel(channel, image2d, image, nodes, given) {
+  for (const pass of typeof channel === 'number' ? [image] : PASSES) {
+    for (const own of nodes.get(pass).channels) {
+      if (own.channel !== channel && own.name !== channel && own.name !== `iChannel${channel}`) continue;
+      own.input ??= { filter: 'linear', wrap: 'repeat' };
+      setSampling(own.settings, own.input);
+      given.set(own.input, image2d);
+    }
+  }
+  // The sampler is that of the channel.
+  image2d.magFilter = image2d.minFilter = LinearFilter;
+  image2d.needsUpdate = true;
+}
+
+/** A function that binds the channels of a pass and sets its uniforms. */
+const binder = (nodes, { targets, sizeOfPass }, given) => (pass, tick, width, height) => {
+  const own = nodes.get(pass);
+  for (const { input, shown } of own.channels) {
+    const read = targets.get(drawnFor(input))?.[0].texture ?? given.get(input);
+    if (read) shown.value = read;
+  }
+  setFrame(own, pass, tick, ...sizeOfPass(pass, width, height));
+};
+
 /**
  * The shader for three.js with WebGPURenderer. `material` draws the Image on any mesh, in screen coordinates.
  * Call `update` before each frame: it sets the uniforms and draws the buffers.
@@ -218,19 +243,11 @@ export function createShader() {
   object.frustumCulled = false;
   const inner = new Map(kept.map((pass) => [pass, coverOf(nodes.get(pass).color)]));
   const quad = new QuadMesh();
-  const { targets, sizeOfPass, resize, clear } = targetStore(users, kept);
+  const store = targetStore(users, kept);
+  const { targets, resize, clear } = store;
   const given = new Map();
+  const prepare = binder(nodes, store, given);
   let frame = 0;
-
-  /** Binds the channels of a pass and sets its uniforms. */
-  function prepare(pass, tick, width, height) {
-    const own = nodes.get(pass);
-    for (const { input, shown } of own.channels) {
-      const read = targets.get(drawnFor(input))?.[0].texture ?? given.get(input);
-      if (read) shown.value = read;
-    }
-    setFrame(own, pass, tick, ...sizeOfPass(pass, width, height));
-  }
 
   function draw(renderer, pass, tick, width, height) {
     prepare(pass, tick, width, height);
@@ -249,46 +266,26 @@ export function createShader() {
     /** Labels, widgets and ranges of these uniforms. */
     controls: CONTROLS,
     /** Sets the texture of a channel of the Image, or of all samplers with a name. */
-    setChannel(channel, image2d) {
-      for (const pass of typeof channel === 'number' ? [image] : PASSES) {
-        for (const own of nodes.get(pass).channels) {
-          if (own.channel !== channel && own.name !== channel && own.name !== `iChannel${channel}`) continue;
-          own.input ??= { filter: 'linear', wrap: 'repeat' };
-          setSampling(own.settings, own.input);
-          given.set(own.input, image2d);
-        }
-      }
-      // The sampler is that of the channel.
-      image2d.magFilter = image2d.minFilter = LinearFilter;
-      image2d.needsUpdate = true;
-    },
+    setChannel: (channel, image2d) => setChannel(channel, image2d, image, nodes, given),
     /** Call this before each frame, after `renderer.init()`; time and delta are in seconds. */
     update(renderer, { time, delta = 1 / 60, mouse, width, height }) {
       if (!renderer.backend?.isWebGPUBackend) throw new Error('this shader is WGSL and requires WebGPU');
       const canvas = renderer.domElement;
       const [w, h] = [width ?? canvas.width, height ?? canvas.height];
-      const pointer = mouse ? { x: mouse[0], y: mouse[1], isDown: mouse[2] > 0 } : null;
-      const rate = 1 / Math.max(delta, 1e-3);
-      const tick = { number: frame, time, delta, rate, mouse: mouse ?? [0, 0, 0, 0], pointer, date: dateUniform() };
-      const before = renderer.getRenderTarget();
-      const { autoClear } = renderer;
-      // Discarded pixels keep their values from two frames ago.
-      renderer.autoClear = false;
-      // From here on, the Image of the previous frame is read.
-      if (isImageRead) targets.get(image)?.reverse();
-      resize(renderer, w, h);
-      for (const pass of buffers) {
-        draw(renderer, pass, tick, w, h);
-        targets.get(firstInto(pass)).reverse();
-      }
-      if (isImageRead) {
+      const tick = tickOf(frame, time, delta, mouse);
+      drawTargets(renderer, () => {
+        // From here on, the Image of the previous frame is read.
+        if (isImageRead) targets.get(image)?.reverse();
+        resize(renderer, w, h);
+        for (const pass of buffers) {
+          draw(renderer, pass, tick, w, h);
+          targets.get(firstInto(pass)).reverse();
+        }
+        if (!isImageRead) return prepare(image, tick, w, h);
         draw(renderer, image, tick, w, h);
         [, shownImage.value] = targets.get(image).map((target) => target.texture);
-      } else {
-        prepare(image, tick, w, h);
-      }
-      renderer.setRenderTarget(before);
-      renderer.autoClear = autoClear;
+        return undefined;
+      });
       frame++;
     },
     /** Restarts at frame 0. */

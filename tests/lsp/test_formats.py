@@ -1,6 +1,6 @@
 """Formatting: whole texts, ranges and on typing; by configuration and by editor settings."""
 
-from harness import errors, holds, refusal, same, test
+from harness import errors, refusal
 
 UGLY = """void  mainImage( out vec4 fragColor,in vec2 fragCoord ){
 «first»  vec2 uv=fragCoord/iResolution.xy ; // é𝄞   stays
@@ -28,36 +28,32 @@ def edited(client, source, edits):
     return client.text(source.uri)
 
 
-@test
-def a_text_is_formatted(case):
+def test_a_text_is_formatted(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
-    same(edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR)), NEAT, "the text")
-    same(client.of(source.uri, "textDocument/formatting", options=FOUR), [], "the edits of a formatted text")
+    assert edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR)) == NEAT
+    assert client.of(source.uri, "textDocument/formatting", options=FOUR) == [], "the edits of a formatted text"
 
 
-@test
-def indentation_follows_the_editor(case):
+def test_indentation_follows_the_editor(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     edits = client.of(source.uri, "textDocument/formatting", options={"tabSize": 2, "insertSpaces": True})
     expected = NEAT.replace("        ", "\t\t").replace("    ", "\t")
-    same(edited(client, source, edits), expected.replace("\t", "  "), "the text, indented by two spaces")
+    assert edited(client, source, edits) == expected.replace("\t", "  "), "the text, indented by two spaces"
     edits = client.of(source.uri, "textDocument/formatting", options={"tabSize": 4, "insertSpaces": False})
-    same(edited(client, source, edits), expected, "the text, indented by tabs")
+    assert edited(client, source, edits) == expected, "the text, indented by tabs"
 
 
-@test
-def the_configuration_overrides_the_editor(case):
+def test_the_configuration_overrides_the_editor(case):
     case.write("shaderlint.toml", '[format]\nindent = 3\nbrace = "next"\n')
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     text = edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR))
-    holds("fragCoord)\n{\n   vec2 uv" in text, "another style:", text)
+    assert "fragCoord)\n{\n   vec2 uv" in text, f"another style: {text}"
 
 
-@test
-def range_formatting_keeps_the_rest(case):
+def test_range_formatting_keeps_the_rest(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     start, end = source["loop"] + 2, source["close"]
@@ -65,69 +61,64 @@ def range_formatting_keeps_the_rest(case):
                       range=client.lines(source.uri).range(start, end))
     text = edited(client, source, edits)
     before, after = source.text[:source["loop"]], source.text[source["close"] + 1:]
-    holds(text.startswith(before), "code before the range changes:", text)
-    holds(text.endswith(after), "code after the range changes:", text)
-    same(text[len(before):len(text) - len(after)],
-         "    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }", "the range")
+    assert text.startswith(before), f"code before the range changes: {text}"
+    assert text.endswith(after), f"code after the range changes: {text}"
+    assert (
+        text[len(before):len(text) - len(after)] == "    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }"
+    ), "the range"
 
 
-@test
-def a_formatted_range_has_no_edits(case):
+def test_a_formatted_range_has_no_edits(case):
     client = case.client()
     source = case.write("a.glsl", NEAT).open(client)
     for start, end in ((0, 0), (0, len(NEAT)), (60, 200)):
-        same(client.of(source.uri, "textDocument/rangeFormatting", options=FOUR,
-                       range=client.lines(source.uri).range(start, end)), [], "the edits")
+        range_ = client.lines(source.uri).range(start, end)
+        assert client.of(source.uri, "textDocument/rangeFormatting", options=FOUR, range=range_) == [], "the edits"
 
 
-@test
-def a_block_is_formatted_when_it_is_closed(case):
+def test_a_block_is_formatted_when_it_is_closed(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     at = source["close"] + 1
     edits = client.at(source.uri, at, "textDocument/onTypeFormatting", ch="}", options=FOUR)
     text = edited(client, source, edits)
-    holds("    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }\n" in text,
-          "the loop is not formatted:", text)
-    holds(text.startswith(source.text[:source["loop"]]), "code before the block changes:", text)
-    holds(text.endswith(source.text[at:]), "code after the block changes:", text)
+    assert "    for (int i = 0; i < 3; i++) {\n        uv *= 1.1;\n        uv += 0.1;\n    }\n" in text
+    assert text.startswith(source.text[:source["loop"]]), f"code before the block changes: {text}"
+    assert text.endswith(source.text[at:]), f"code after the block changes: {text}"
 
 
-@test
-def a_line_is_formatted_when_it_ends(case):
+def test_a_line_is_formatted_when_it_ends(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     at = source["semicolon"]
     edits = client.at(source.uri, at, "textDocument/onTypeFormatting", ch=";", options=FOUR)
     text = edited(client, source, edits)
-    same(text, source.text.replace("   float a=1.0;", "    float a = 1.0;"), "the text")
+    assert text == source.text.replace("   float a=1.0;", "    float a = 1.0;"), "the text"
 
 
-@test
-def unmatched_brackets_are_rejected(case):
+def test_unmatched_brackets_are_rejected(case):
     client = case.client()
     source = case.write("a.glsl", UGLY).open(client)
     client.replace(source.uri, source["first"], source["first"], "((")
     error = refusal(lambda: client.of(source.uri, "textDocument/formatting", options=FOUR))
-    holds(error.message, "no reason is given", error)
+    assert error.message, f"no reason is given: {error}"
 
 
-@test
-def only_shaders_of_a_page_are_formatted(case):
+def test_only_shaders_of_a_page_are_formatted(case):
     client = case.client()
     body = '<p>é𝄞   two</p>\n<script type="x-shader/x-fragment">#version 300 es\nprecision highp float;\n' \
            "out vec4 color;\nvoid main( ){color=vec4( 1.0 ) ;}\n</script>\n<script>const a   = 1;</script>\n"
     source = case.write("page.html", body).open(client, "html")
     text = edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR))
-    holds("color = vec4(1.0);" in text, "it is not formatted:", text)
-    same((text[:text.index("#version")], text[text.index("</script>"):]),
-         (body[:body.index("#version")], body[body.index("</script>"):]), "the code around it")
-    same(errors(client.published(source.uri)), [], "the errors")
+    assert "color = vec4(1.0);" in text, f"it is not formatted: {text}"
+    assert (
+        (text[:text.index("#version")], text[text.index("</script>"):]) == (body[:body.index("#version")], body[body.index("</script>"):])
+    ), "the code around it"
+    assert errors(client.published(source.uri)) == [], "the errors"
 
 
-@test
-def line_breaks_are_preserved(case):
+def test_line_breaks_are_preserved(case):
     client = case.client()
     source = case.write("a.glsl", UGLY.replace("\n", "\r\n")).open(client)
     text = edited(client, source, client.of(source.uri, "textDocument/formatting", options=FOUR))
-    same(text, NEAT.replace("\n", "\r\n"), "the text")
+    assert text == NEAT.replace("\n", "\r\n"), "the text"

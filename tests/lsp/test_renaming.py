@@ -5,8 +5,8 @@ import os
 import re
 
 from client import CHANGED, changes_of, path_of
-from embedded import export
-from harness import contains, errors, holds, refusal, same, test
+from test_embedded import export
+from harness import errors, refusal
 
 
 def renamed(client, source, offset, new):
@@ -16,17 +16,15 @@ def renamed(client, source, offset, new):
     return {uri: client.lines(uri).text for uri, _ in changes_of(edit)}
 
 
-@test
-def prepare_rename_returns_the_range(case):
+def test_prepare_rename_returns_the_range(case):
     client = case.client()
     source = case.write("a.glsl", "/* é𝄞 */ float «fn»wave(float x) { return sin(x); }\n").open(client)
     found = client.at(source.uri, source["fn"] + 2, "textDocument/prepareRename")
-    same(found["placeholder"], "wave", "the placeholder")
-    same(client.lines(source.uri).span(found["range"]), (source["fn"], source["fn"] + 4), "the range")
+    assert found["placeholder"] == "wave", "the placeholder"
+    assert client.lines(source.uri).span(found["range"]) == (source["fn"], source["fn"] + 4), "the range"
 
 
-@test
-def renaming_covers_macros(case):
+def test_renaming_covers_macros(case):
     client = case.client()
     text = """float wave(float x) { return sin(x); }
 #define CALL(x) wave(x) * «in»gain
@@ -45,11 +43,11 @@ void mainImage(out vec4 c, in vec2 p) {
         after = renamed(client, source, source[place], "power")[source.uri]
         expected = re.sub(r"\bgain\b(?! *\n    float gained)", "power", source.text)
         expected = expected.replace("// power", "// gain")
-        same(after, expected, "the text")
-        same(errors(client.published(source.uri)), [], "the errors")
+        assert after == expected, "the text"
+        assert errors(client.published(source.uri)) == [], "the errors"
         client.write_all(source.uri, source.text)
     after = renamed(client, source, source.text.index("wave"), "ripple")[source.uri]
-    same(after, source.text.replace("wave", "ripple"), "the text")
+    assert after == source.text.replace("wave", "ripple"), "the text"
 
 
 BRANCHES = """#define MODE 1
@@ -81,27 +79,25 @@ void mainImage(out vec4 c, in vec2 p) {
 """
 
 
-@test
-def renaming_reaches_code_that_is_not_compiled(case):
+def test_renaming_reaches_code_that_is_not_compiled(case):
     client = case.client()
     source = case.write("a.glsl", BRANCHES).open(client)
     whole = {"one": "shape", "two": "shape", "field": "from", "steps": "LIMIT", "glow": "color", "param": "amount"}
     for place, name in whole.items():
         after = renamed(client, source, source[place], "other")[source.uri]
-        same(after, re.sub(r"\b%s\b" % name, "other", source.text), "the text after renaming " + name)
+        assert after == re.sub(r"\b%s\b" % name, "other", source.text), "the text after renaming " + name
         client.write_all(source.uri, source.text)
     # A local of a branch and a member have the same name.
     after = renamed(client, source, source["local"], "other")[source.uri]
-    same(after, source.text.replace("float far = p.y; return far;", "float other = p.y; return other;"), "the text")
+    assert after == source.text.replace("float far = p.y; return far;", "float other = p.y; return other;")
     client.write_all(source.uri, source.text)
     places = client.at(source.uri, source["glow"], "textDocument/documentHighlight")
-    same(len(places), 4, "the highlights")
+    assert len(places) == 4, "the highlights"
     target = client.at(source.uri, source.text.index("color += "), "textDocument/definition")
-    same(client.lines(source.uri).span(target["range"])[0], source.text.index("color = vec3"), "the definition")
+    assert client.lines(source.uri).span(target["range"])[0] == source.text.index("color = vec3")
 
 
-@test
-def a_name_that_another_branch_would_hide_is_rejected(case):
+def test_a_name_that_another_branch_would_hide_is_rejected(case):
     client = case.client()
     source = case.write("a.glsl", """float «fn»gain(float x) { return x; }
 float f(float x) {
@@ -113,11 +109,10 @@ float f(float x) {
 }
 """).open(client)
     error = refusal(lambda: client.at(source.uri, source["fn"], "textDocument/rename", newName="power"))
-    contains(error.message, "line 5", "the reason")
+    assert "line 5" in error.message, "the reason"
 
 
-@test
-def macros_and_members_are_renamed(case):
+def test_macros_and_members_are_renamed(case):
     client = case.client()
     source = case.write("a.glsl", """#define «macro»LIMIT(x) min(x, 4.0)
 #ifdef LIMIT
@@ -131,15 +126,14 @@ void mainImage(out vec4 c, in vec2 p) {
 }
 """).open(client)
     after = renamed(client, source, source["macro"], "BOUND")[source.uri]
-    same(after, source.text.replace("LIMIT", "BOUND"), "the text")
+    assert after == source.text.replace("LIMIT", "BOUND"), "the text"
     client.write_all(source.uri, source.text)
     after = renamed(client, source, source["member"], "origin")[source.uri]
     expected = source.text.replace("vec3 start;", "vec3 origin;").replace("r.start.x", "r.origin.x")
-    same(after, expected.replace("ray.start.xy", "ray.origin.xy"), "the text")
+    assert after == expected.replace("ray.start.xy", "ray.origin.xy"), "the text"
 
 
-@test
-def renaming_covers_includes(case):
+def test_renaming_covers_includes(case):
     client = case.client()
     library = case.write("lib.glsl", "float «fn»wave(float x) { return sin(x); }\n")
     first = case.write("a.glsl", '#include "lib.glsl"\nvoid mainImage(out vec4 c, in vec2 p) '
@@ -148,15 +142,14 @@ def renaming_covers_includes(case):
                         "{ c = vec4(wave(p.y)); }\n")
     apart = case.write("c.glsl", "float wave(float x) { return x; }\n")
     after = renamed(client, first, first["use"], "ripple")
-    same(sorted(after), sorted([library.uri, first.uri, second.uri]), "the files")
+    assert sorted(after) == sorted([library.uri, first.uri, second.uri]), "the files"
     for source in (library, first, second):
-        same(after[source.uri], source.text.replace("wave", "ripple"), "the text")
+        assert after[source.uri] == source.text.replace("wave", "ripple"), "the text"
     with open(path_of(apart.uri), encoding="utf-8") as file:
-        same(file.read(), apart.text, "the text of an unrelated file")
+        assert file.read() == apart.text, "the text of an unrelated file"
 
 
-@test
-def renaming_reaches_branches_after_includes_with_branches(case):
+def test_renaming_reaches_branches_after_includes_with_branches(case):
     """The included files have branches that are not compiled, too, before those of the text."""
     client = case.client()
     guard = "#ifdef %s\nfloat %s(float x) { return x; }\n#endif\n"
@@ -186,15 +179,14 @@ float shade() {
         after = renamed(client, user, user[place], "strength")
         text = user.text.replace("sun.power", "sun.strength")
         text = text.replace("light.power", "light.strength", 1)
-        same(after[user.uri], text, "the text")
-        same(after[lights.uri], lights.text.replace("power", "strength", 1), "the included text")
+        assert after[user.uri] == text, "the text"
+        assert after[lights.uri] == lights.text.replace("power", "strength", 1), "the included text"
         client.write_all(user.uri, user.text)
         case.write("lights.glsl", lights.text)
         client.watched((lights.uri, CHANGED))
 
 
-@test
-def renaming_covers_the_passes_of_a_folder(case):
+def test_renaming_covers_the_passes_of_a_folder(case):
     client = case.client()
     body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(«%s»wave(p.x)); }\n"
     common = case.write("common.glsl", "float «def»wave(float x) { return sin(x); }\n").open(client)
@@ -202,9 +194,9 @@ def renaming_covers_the_passes_of_a_folder(case):
     buffer = case.write("bufferA.glsl", body % "use")
     for source, place in ((image, "use"), (common, "def")):
         after = renamed(client, source, source[place], "ripple")
-        same(sorted(after), sorted([common.uri, image.uri, buffer.uri]), "the files")
+        assert sorted(after) == sorted([common.uri, image.uri, buffer.uri]), "the files"
         for each in (common, image, buffer):
-            same(after[each.uri], each.text.replace("wave", "ripple"), "the text")
+            assert after[each.uri] == each.text.replace("wave", "ripple"), "the text"
             # Restored for the next test.
             if each.uri in client.documents:
                 client.write_all(each.uri, each.text)
@@ -212,8 +204,7 @@ def renaming_covers_the_passes_of_a_folder(case):
         client.watched((buffer.uri, CHANGED))
 
 
-@test
-def new_passes_are_found_without_file_events(case):
+def test_new_passes_are_found_without_file_events(case):
     client = case.client()
     common = case.write("common.glsl", "float wave(float x) { return sin(x); }\n").open(client)
     # The folder is old when it is read, and new after a pass was added.
@@ -225,17 +216,16 @@ def new_passes_are_found_without_file_events(case):
     buffer = case.write("bufferA.glsl", body % "use")
     image = case.write("image.glsl", body % "use").open(client)
     after = renamed(client, image, image["use"], "ripple")
-    same(sorted(after), sorted([common.uri, image.uri, buffer.uri]), "the files")
+    assert sorted(after) == sorted([common.uri, image.uri, buffer.uri]), "the files"
 
 
-@test
-def renaming_covers_the_passes_of_an_export(case):
+def test_renaming_covers_the_passes_of_an_export(case):
     client = case.client()
     image = "void mainImage(out vec4 c, in vec2 p) {\n\tc = vec4(wave(p.x)); // \"wave\"\n}\n"
     source = case.write("s.json", export(image, "float wave(float x) { return sin(x); }\n"))
     source.open(client, "json")
     after = renamed(client, source, source.text.index("wave(float"), "ripple")[source.uri]
-    same(after, source.text.replace("wave(", "ripple("), "the text")
+    assert after == source.text.replace("wave(", "ripple("), "the text"
     json.loads(after)
 
 
@@ -246,21 +236,19 @@ FRAGMENT = HEAD + "in vec2 «f»vUv;\nuniform float gain;\nout vec4 color;\n" \
     "void main() { color = vec4(vUv * gain, 0.0, 1.0); }\n"
 
 
-@test
-def a_varying_is_renamed_in_both_stages_of_a_page(case):
+def test_a_varying_is_renamed_in_both_stages_of_a_page(case):
     client = case.client()
     text = '<script type="x-shader/x-vertex">%s</script>\n<script type="x-shader/x-fragment">%s</script>\n'
     source = case.write("page.html", text % (VERTEX, FRAGMENT)).open(client, "html")
-    same(errors(client.published(source.uri)), [], "the errors")
+    assert errors(client.published(source.uri)) == [], "the errors"
     for place in ("v", "f"):
         after = renamed(client, source, source[place], "vPlace")[source.uri]
-        same(after, source.text.replace("vUv", "vPlace"), "the text")
-        same(errors(client.published(source.uri)), [], "the errors")
+        assert after == source.text.replace("vUv", "vPlace"), "the text"
+        assert errors(client.published(source.uri)) == [], "the errors"
         client.write_all(source.uri, source.text)
 
 
-@test
-def a_varying_is_renamed_in_both_files_of_a_pair(case):
+def test_a_varying_is_renamed_in_both_files_of_a_pair(case):
     client = case.client()
     vertex = case.write("a.vert", VERTEX).open(client)
     fragment = case.write("a.frag", FRAGMENT)
@@ -268,9 +256,9 @@ def a_varying_is_renamed_in_both_files_of_a_pair(case):
         if source is fragment:
             fragment.open(client)
         after = renamed(client, source, source[place], "vPlace")
-        same(sorted(after), sorted([vertex.uri, fragment.uri]), "the files")
+        assert sorted(after) == sorted([vertex.uri, fragment.uri]), "the files"
         for each in (vertex, fragment):
-            same(after[each.uri], each.text.replace("vUv", "vPlace"), "the text")
+            assert after[each.uri] == each.text.replace("vUv", "vPlace"), "the text"
         case.write("a.vert", VERTEX)
         case.write("a.frag", FRAGMENT)
         for each in (vertex, fragment):
@@ -278,17 +266,15 @@ def a_varying_is_renamed_in_both_files_of_a_pair(case):
                 client.write_all(each.uri, each.text)
 
 
-@test
-def a_uniform_is_renamed_in_both_files_of_a_pair(case):
+def test_a_uniform_is_renamed_in_both_files_of_a_pair(case):
     client = case.client()
     vertex = case.write("a.vert", VERTEX).open(client)
     fragment = case.write("a.frag", FRAGMENT).open(client)
     after = renamed(client, fragment, fragment.text.index("gain"), "power")
-    same(after, {s.uri: s.text.replace("gain", "power") for s in (vertex, fragment)}, "the texts")
+    assert after == {s.uri: s.text.replace("gain", "power") for s in (vertex, fragment)}, "the texts"
 
 
-@test
-def externally_defined_names_cannot_be_renamed(case):
+def test_externally_defined_names_cannot_be_renamed(case):
     client = case.client()
     source = case.write("a.glsl", """void «entry»mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec2 «own»uv = fragCoord / «host»iResolution.xy;
@@ -299,24 +285,22 @@ def externally_defined_names_cannot_be_renamed(case):
     for place, words in (("entry", "mainImage"), ("host", "iResolution"), ("builtin", "sin")):
         for method, more in (("rename", {"newName": "other"}), ("prepareRename", {})):
             error = refusal(lambda: client.at(source.uri, source[place], "textDocument/" + method, **more))
-            contains(error.message, "`%s`" % words, "the reason")
+            assert "`%s`" % words in error.message, "the reason"
     for place in ("keyword", "swizzle"):
         error = refusal(lambda: client.at(source.uri, source[place] + 1, "textDocument/rename", newName="other"))
-        holds(len(error.message) > 10, "no reason is given", error)
+        assert len(error.message) > 10, f"no reason is given: {error}"
 
 
-@test
-def invalid_names_are_rejected(case):
+def test_invalid_names_are_rejected(case):
     client = case.client()
     source = case.write("a.glsl", "float «fn»wave(float x) { return x; }\n").open(client)
     for new in ("float", "1x", "a b", "", "for", "gl_wave", "a__b", "é", "sample", "wave()"):
         error = refusal(lambda: client.at(source.uri, source["fn"], "textDocument/rename", newName=new))
-        holds(len(error.message) > 10, "no reason is given", error)
-    same(changes_of(client.at(source.uri, source["fn"], "textDocument/rename", newName="wave")), [], "the same name")
+        assert len(error.message) > 10, f"no reason is given: {error}"
+    assert changes_of(client.at(source.uri, source["fn"], "textDocument/rename", newName="wave")) == []
 
 
-@test
-def renamings_that_change_the_meaning_are_rejected(case):
+def test_renamings_that_change_the_meaning_are_rejected(case):
     client = case.client()
     cases = {
         "a parameter that a local of an inner block hides":
@@ -336,7 +320,7 @@ def renamings_that_change_the_meaning_are_rejected(case):
     for number, (what, (text, new)) in enumerate(cases.items()):
         source = case.write("case%d.glsl" % number, text + "\n").open(client)
         error = refusal(lambda: client.at(source.uri, source["x"], "textDocument/rename", newName=new))
-        contains(error.message, "`%s`" % new, "the reason for %s" % what)
+        assert "`%s`" % new in error.message, "the reason for %s" % what
     # Allowed: another scope, another struct, another number of parameters.
     fine = [
         ("float f(float «x»p) { return p; }\nfloat g(float q) { return q; }", "q"),
@@ -347,7 +331,7 @@ def renamings_that_change_the_meaning_are_rejected(case):
     for number, (text, new) in enumerate(fine):
         source = case.write("fine%d.glsl" % number, text + "\n").open(client)
         after = renamed(client, source, source["x"], new)[source.uri]
-        same(after, re.sub(r"\bp\b", new, source.text), "the text")
+        assert after == re.sub(r"\bp\b", new, source.text), "the text"
 
 
 SCRIPT = """import fragment from './water.frag';
@@ -360,8 +344,7 @@ material.uniforms.gain.value = gain;
 """
 
 
-@test
-def uniforms_are_renamed_in_scripts(case):
+def test_uniforms_are_renamed_in_scripts(case):
     client = case.client()
     shaders = [case.write("water." + stage, text.replace("«v»", "").replace("«f»", "").replace(
         "uniform float gain", "uniform float «u»gain")) for stage, text in (("vert", VERTEX), ("frag", FRAGMENT))]
@@ -370,36 +353,33 @@ def uniforms_are_renamed_in_scripts(case):
     fire = case.write("fire.frag", FRAGMENT.replace("«f»", ""))
     source = shaders[1].open(client)
     after = renamed(client, source, source["u"], "power")
-    same(sorted(after), sorted(s.uri for s in shaders + [script]), "the files")
+    assert sorted(after) == sorted(s.uri for s in shaders + [script]), "the files"
     expected = script.text.replace("'gain'", "'power'").replace("{ gain: ", "{ power: ")
     expected = expected.replace("{ gain, ", "{ power: gain, ").replace("uniforms.gain", "uniforms.power")
-    same(after[script.uri], expected, "the script")
+    assert after[script.uri] == expected, "the script"
     for other in (elsewhere, fire):
         with open(path_of(other.uri), encoding="utf-8") as file:
-            same(file.read(), other.text, "the text of another program")
+            assert file.read() == other.text, "the text of another program"
 
 
-@test
-def a_script_that_may_mean_the_name_is_a_reason(case):
+def test_a_script_that_may_mean_the_name_is_a_reason(case):
     client = case.client()
     fragment = case.write("water.frag", FRAGMENT.replace("«f»", "")).open(client)
     case.write("scene.js", "import water from './water.frag';\nconst { gain } = settings;\n")
     place = fragment.text.index("gain")
     error = refusal(lambda: client.at(fragment.uri, place, "textDocument/rename", newName="power"))
-    contains(error.message, "line 2 of `scene.js`", "the reason")
+    assert "line 2 of `scene.js`" in error.message, "the reason"
 
 
-@test
-def names_in_the_edited_text_of_a_shader_are_renamed(case):
+def test_names_in_the_edited_text_of_a_shader_are_renamed(case):
     client = case.client()
     text = "const f = `%s`.replace('vUv', 'vUv * 2.0').replace(/\\bvUv\\b/g, 'vUv');\nlog('vUv');\n"
     source = case.write("s.js", text % FRAGMENT).open(client, "javascript")
     after = renamed(client, source, source["f"], "vPlace")[source.uri]
-    same(after, source.text.replace("vUv", "vPlace").replace("log('vPlace')", "log('vUv')"), "the text")
+    assert after == source.text.replace("vUv", "vPlace").replace("log('vPlace')", "log('vUv')"), "the text"
 
 
-@test
-def a_renaming_covers_the_project_and_not_the_folder_of_the_client(case):
+def test_a_renaming_covers_the_project_and_not_the_folder_of_the_client(case):
     for mark in ("package.json", "shaderlint.toml", ".git/HEAD"):
         folder = "of " + mark.replace("/", " ")
         case.write(folder + "/" + mark, "{}" if mark.endswith("json") else "")
@@ -409,27 +389,25 @@ def a_renaming_covers_the_project_and_not_the_folder_of_the_client(case):
         client = case.client(folder=os.path.dirname(path_of(library.uri)))
         library.open(client)
         after = renamed(client, library, library["fn"], "ripple")
-        same(sorted(after), sorted([library.uri, user.uri]), "the files")
+        assert sorted(after) == sorted([library.uri, user.uri]), "the files"
 
 
-@test
-def a_varying_is_renamed_in_stages_that_are_paired_by_name(case):
+def test_a_varying_is_renamed_in_stages_that_are_paired_by_name(case):
     client = case.client()
     vertex = case.write("vertex.glsl", VERTEX).open(client)
     fragment = case.write("fragment.glsl", FRAGMENT)
     after = renamed(client, vertex, vertex["v"], "vPlace")
-    same(after, {s.uri: s.text.replace("vUv", "vPlace") for s in (vertex, fragment)}, "the texts")
+    assert after == {s.uri: s.text.replace("vUv", "vPlace") for s in (vertex, fragment)}, "the texts"
 
 
-@test
-def a_fragment_that_may_use_the_name_is_a_reason(case):
+def test_a_fragment_that_may_use_the_name_is_a_reason(case):
     client = case.client()
     first = case.write("noise.glsl", "float «fn»noise2(vec2 p) { return fract(p.x * seed); }\n").open(client)
     case.write("clouds.glsl", "float clouds(vec2 p) {\n    return noise2(p) * 2.0;\n}\n")
     error = refusal(lambda: client.at(first.uri, first["fn"], "textDocument/rename", newName="grain"))
-    contains(error.message, "line 2 of `clouds.glsl` may refer to `noise2`", "the reason")
+    assert "line 2 of `clouds.glsl` may refer to `noise2`" in error.message, "the reason"
     # Nobody completes a complete shader.
     own = case.write("whole.frag", HEAD + "out vec4 color;\nfloat «fn»noise2(vec2 p) { return p.x; }\n"
                      "void main() { color = vec4(noise2(vec2(1.0))); }\n").open(client)
     after = renamed(client, own, own["fn"], "grain")
-    same(after, {own.uri: own.text.replace("noise2", "grain")}, "the texts")
+    assert after == {own.uri: own.text.replace("noise2", "grain")}, "the texts"

@@ -3,7 +3,7 @@ file."""
 
 import json
 
-from harness import by_rule, contains, errors, holds, same, test
+from harness import by_rule, errors
 
 SHADER = """#version 300 es
 precision highp float;
@@ -35,60 +35,51 @@ def judged(case, name):
     source = case.write(name, around % SHADER).open(client, language)
     lines = client.lines(source.uri)
     found = client.published(source.uri)
-    same([lines.span(d["range"])[0] for d in errors(found)], [source["bad"]], "the error")
-    contains(client.at(source.uri, source["var"], "textDocument/hover")["contents"]["value"],
-             "float unused", "the code at the error")
+    assert [lines.span(d["range"])[0] for d in errors(found)] == [source["bad"]], "the error"
+    assert "float unused" in client.at(source.uri, source["var"], "textDocument/hover")["contents"]["value"]
     client.apply(client.at(source.uri, source["var"], "textDocument/rename", newName="other"))
-    same(client.text(source.uri), source.text.replace("unused", "other"), "the text afterwards")
+    assert client.text(source.uri) == source.text.replace("unused", "other"), "the text afterwards"
     client.replace(source.uri, client.text(source.uri).index("nope"), client.text(source.uri).index("nope") + 4, "x")
     client.published(source.uri)
     names = [s["name"] for s in client.of(source.uri, "textDocument/documentSymbol")]
-    holds("main" in names and "gain" in names, "the outline is incomplete", names)
+    assert "main" in names and "gain" in names, f"the outline is incomplete: {names}"
 
 
-@test
-def shaders_in_pages(case):
+def test_shaders_in_pages(case):
     judged(case, "page.html")
 
 
-@test
-def shaders_in_scripts(case):
+def test_shaders_in_scripts(case):
     judged(case, "shader.js")
 
 
-@test
-def shaders_in_typescript(case):
+def test_shaders_in_typescript(case):
     judged(case, "shader.ts")
 
 
-@test
-def shaders_in_vue(case):
+def test_shaders_in_vue(case):
     judged(case, "Shader.vue")
 
 
-@test
-def shaders_in_svelte(case):
+def test_shaders_in_svelte(case):
     judged(case, "Shader.svelte")
 
 
-@test
-def shaders_in_astro(case):
+def test_shaders_in_astro(case):
     judged(case, "Shader.astro")
 
 
-@test
-def shaders_in_markdown(case):
+def test_shaders_in_markdown(case):
     judged(case, "notes.md")
 
 
-@test
-def a_script_without_shaders_has_no_diagnostics(case):
+def test_a_script_without_shaders_has_no_diagnostics(case):
     client = case.client()
     source = case.write("plain.js", "const a = `b ${1 + 1}`;\nfor (;;) { if (a) break; }\n")
     source.open(client, "javascript")
-    same(client.published(source.uri), [], "the diagnostics")
+    assert client.published(source.uri) == [], "the diagnostics"
     for method in ("documentSymbol", "foldingRange", "documentColor"):
-        same(client.of(source.uri, "textDocument/" + method) or [], [], method)
+        assert (client.of(source.uri, "textDocument/" + method) or []) == [], method
 
 
 def export(image, common):
@@ -104,8 +95,7 @@ def export(image, common):
     return json.dumps(shader)
 
 
-@test
-def shaders_in_exports(case):
+def test_shaders_in_exports(case):
     client = case.client()
     image = ("// \u00e9\tquote \" and \\\\ \nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {\n"
              "    fragColor = vec4(fragCoord / iResolution.xy, wave(iTime), missing);\n}\n")
@@ -113,18 +103,17 @@ def shaders_in_exports(case):
     source = case.write("shader.json", export(image, common)).open(client, "json")
     lines = client.lines(source.uri)
     found = client.published(source.uri)
-    same([lines.at(d["range"]) for d in errors(found)], ["missing"], "the error")
+    assert [lines.at(d["range"]) for d in errors(found)] == ["missing"], "the error"
     use = source.text.index("wave(iTime)")
     location = client.at(source.uri, use, "textDocument/definition")
-    same(lines.span(location["range"])[0], source.text.index("wave(float x)"), "the definition")
+    assert lines.span(location["range"])[0] == source.text.index("wave(float x)"), "the definition"
     # A name is renamed in all passes of an export; its strings stay escaped.
     client.apply(client.at(source.uri, use, "textDocument/rename", newName="ripple"))
-    same(client.text(source.uri), source.text.replace("wave(", "ripple("), "the text afterwards")
+    assert client.text(source.uri) == source.text.replace("wave(", "ripple("), "the text afterwards"
     json.loads(client.text(source.uri))
 
 
-@test
-def an_edit_in_an_export_is_escaped(case):
+def test_an_edit_in_an_export_is_escaped(case):
     client = case.client()
     image = ("void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n"
              "    float unused = 2.0;\n"
@@ -135,9 +124,9 @@ def an_edit_in_an_export_is_escaped(case):
     actions = client.of(source.uri, "textDocument/codeAction", range=finding["range"],
                         context={"diagnostics": [finding]})
     allow = [a for a in actions if a["title"].startswith("Allow")]
-    same(len(allow), 1, "the actions that allow it")
+    assert len(allow) == 1, "the actions that allow it"
     client.apply(allow[0]["edit"])
     passes = json.loads(client.text(source.uri))["renderpass"]
-    contains(passes[0]["code"], "    // shaderlint: allow(unused-variable)\n    float unused", "the pass")
+    assert "    // shaderlint: allow(unused-variable)\n    float unused" in passes[0]["code"], "the pass"
     found = client.published(source.uri)
-    same([d for d in found if d["code"] == "unused-variable"], [], "the remaining diagnostics")
+    assert [d for d in found if d["code"] == "unused-variable"] == [], "the remaining diagnostics"

@@ -248,6 +248,24 @@ function setFrame(materials, targets, tick, width, height) {
   }
 }
 
+/** Draws the first vertices of a geometry. */
+function setVertexCount(geometry, count) {
+  geometry.setDrawRange(0, geometry.index ? 3 * Math.max(0, count - 2) : count);
+}
+
+/** Sets the texture of a channel of the Image, or of all samplers with a name. */
+function setChannel(channel, texture, passes, image, given) {
+  for (const pass of typeof channel === 'number' ? [image] : passes) {
+    const found = (i) => (typeof channel === 'number' ? i === channel : pass.inputs[i]?.uniform === channel);
+    const index = Array.from({ length: Math.max(4, pass.inputs.length) }, (_, i) => i).find(found);
+    if (index === undefined) continue;
+    pass.inputs[index] ??= { filter: 'linear', wrap: 'repeat' };
+    given.set(pass.inputs[index], texture);
+    setSampling(texture, pass.inputs[index]);
+  }
+  texture.needsUpdate = true;
+}
+
 /**
  * The shader for three.js. `material` draws the Image on any mesh, in screen coordinates. Call `update`
  * before each frame: it sets the uniforms and draws the buffers.
@@ -296,46 +314,27 @@ export function createShader() {
     /** Labels, widgets and ranges of these uniforms. */
     controls: PROJECT.controls,
     /** Sets the texture of a channel of the Image, or of all samplers with a name. */
-    setChannel(channel, texture) {
-      for (const pass of typeof channel === 'number' ? [image] : passes) {
-        const found = (i) => (typeof channel === 'number' ? i === channel : pass.inputs[i]?.uniform === channel);
-        const index = Array.from({ length: Math.max(4, pass.inputs.length) }, (_, i) => i).find(found);
-        if (index === undefined) continue;
-        pass.inputs[index] ??= { filter: 'linear', wrap: 'repeat' };
-        given.set(pass.inputs[index], texture);
-        setSampling(texture, pass.inputs[index]);
-      }
-      texture.needsUpdate = true;
-    },
+    setChannel: (channel, texture) => setChannel(channel, texture, passes, image, given),
     /** Call this before each frame; time and delta are in seconds. */
     update(renderer, { time, delta = 1 / 60, mouse, width, height }) {
       const canvas = renderer.domElement;
       const [w, h] = [width ?? canvas.width, height ?? canvas.height];
-      const pointer = mouse ? { x: mouse[0], y: mouse[1], isDown: mouse[2] > 0 } : null;
-      const rate = 1 / Math.max(delta, 1e-3);
-      const tick = { number: frame, time, delta, rate, mouse: mouse ?? [0, 0, 0, 0], pointer, date: dateUniform() };
+      const tick = tickOf(frame, time, delta, mouse);
       setFrame(materials, targets, tick, w, h);
       signals.forEach((texture, input) => advanceSignal(texture, input, time, frame > 0 ? delta : 0));
-      const before = renderer.getRenderTarget();
-      const { autoClear } = renderer;
-      // Discarded pixels keep their values from two frames ago.
-      renderer.autoClear = false;
-      // From here on, the Image of the previous frame is read.
-      targets.of(isImageRead ? image : null)?.reverse();
-      targets.resize(renderer, w, h);
-      standIns.draw(renderer, time);
-      for (const pass of buffers) {
-        draw(renderer, pass);
-        targets.of(pass).reverse();
-      }
-      if (isImageRead) draw(renderer, image);
-      renderer.setRenderTarget(before);
-      renderer.autoClear = autoClear;
+      drawTargets(renderer, () => {
+        // From here on, the Image of the previous frame is read.
+        targets.of(isImageRead ? image : null)?.reverse();
+        targets.resize(renderer, w, h);
+        standIns.draw(renderer, time);
+        for (const pass of buffers) {
+          draw(renderer, pass);
+          targets.of(pass).reverse();
+        }
+        if (isImageRead) draw(renderer, image);
+      });
       bind(renderer, image);
-      if (image.fragment) {
-        const count = Math.floor(users.vertexCount.value);
-        object.geometry.setDrawRange(0, object.geometry.index ? 3 * Math.max(0, count - 2) : count);
-      }
+      if (image.fragment) setVertexCount(object.geometry, Math.floor(users.vertexCount.value));
       frame++;
     },
     /** Restarts at frame 0. */
@@ -345,13 +344,8 @@ export function createShader() {
       frame = 0;
     },
     dispose() {
-      materials.forEach((m) => m.dispose());
-      standIns.dispose();
-      signals.forEach((t) => t.dispose());
+      for (const each of [...materials.values(), standIns, ...signals.values(), object.geometry, triangle, square]) each.dispose();
       targets.clear();
-      object.geometry.dispose();
-      triangle.dispose();
-      square.dispose();
     },
   };
 }
