@@ -2,8 +2,9 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::RayCounts;
-use shaderlint_lint::sample::{SampleRun, grouped};
+use shaderlint_lint::sample::SampleRun;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "camera-inside",

@@ -1,8 +1,9 @@
 //! Frames in which almost nothing is visible.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::{SampleFrame, SampleRun, luminance, percent, share};
+use shaderlint_lint::sample::{SampleFrame, SampleRun, luminance, share};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::rounded_percent;
 
 pub static RULE: Rule = Rule {
     name: "dark-frame",
@@ -66,7 +67,10 @@ fn check(cx: &mut Context) {
     let lit = share(sample_run.drawn(), |l| luminance(l.shown()) > DARK);
     let message = match brightest {
         0.0 => "the image is black".to_string(),
-        _ if lit > LIT => format!("{} of the image is nearly black", percent(1.0 - lit)),
+        _ if lit > LIT => format!(
+            "{} of the image is nearly black",
+            rounded_percent(1.0 - lit)
+        ),
         _ => format!("the image is nearly black: the maximum brightness is {brightest} of 255"),
     };
     let finding = cx.report_image(message).note(note);

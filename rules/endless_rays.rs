@@ -4,9 +4,10 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Watch;
 use shaderlint_flow::{HitTest, RayKind};
 use shaderlint_lint::march::March;
-use shaderlint_lint::sample::{Round, SampleRun, grouped, percent};
+use shaderlint_lint::sample::{Round, SampleRun};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
+use shaderlint_text::number::{grouped, rounded_percent};
 
 pub static RULE: Rule = Rule {
     name: "endless-rays",
@@ -66,7 +67,7 @@ fn check(cx: &mut Context) {
         cx.report(head, message)
             .note(format!(
                 "{} of the pixels have a ray that took all steps; {shown}",
-                percent(share(sample_run))
+                rounded_percent(share(sample_run))
             ))
             .note(sample_run.sampled_note())
             .help("end the loop beyond the scene, as in `if (t > 20.0) break;`");

@@ -2,8 +2,9 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::MarchOutcome;
-use shaderlint_lint::sample::{SampleFrame, SampleRun, SampledPixel, grouped, is_too_bright};
+use shaderlint_lint::sample::{SampleFrame, SampleRun, SampledPixel, is_too_bright};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "flat-frame",

@@ -3,9 +3,10 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile};
 use shaderlint_ir::OpKind;
-use shaderlint_lint::sample::{Round, percent};
+use shaderlint_lint::sample::Round;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
+use shaderlint_text::number::rounded_percent;
 
 pub static RULE: Rule = Rule {
     name: "gpu-dependent-picture",
@@ -59,7 +60,7 @@ fn check(cx: &mut Context) {
         return;
     };
     let note = sample_run.sampled_note();
-    let changed = percent(changed);
+    let changed = rounded_percent(changed);
     let finding = cx.report_image("the image depends on rounding that differs between GPUs");
     finding
         .note(format!(

@@ -1,10 +1,10 @@
 //! Large scene functions that one function calls many times.
 
 use shaderlint_diagnostic::Severity;
-use shaderlint_lint::sample::grouped;
 use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::ExprId;
+use shaderlint_text::number::grouped;
 use std::collections::BTreeMap;
 
 pub static RULE: Rule = Rule {

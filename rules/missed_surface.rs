@@ -2,9 +2,9 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::march::{March, StepLength, limit_edit, step_edits};
-use shaderlint_lint::sample::{percent, rounded};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
+use shaderlint_text::number::{decimals, rounded_percent};
 
 pub static RULE: Rule = Rule {
     name: "missed-surface",
@@ -24,7 +24,7 @@ fn check(cx: &mut Context) {
         };
         let ([x, y], time, point) = found.first;
         let place = point.map_or(String::new(), |point| {
-            let numbers = point.map(|n| rounded((f64::from(n) * 1e3).round() / 1e3));
+            let numbers = point.map(|n| decimals(f64::from(n), 3));
             format!(", where the surface is at ({})", numbers.join(", "))
         });
         let fix = found.repair.and_then(|length| fix(cx, march, length));
@@ -34,7 +34,7 @@ fn check(cx: &mut Context) {
             (None, None) => Some("shorten the steps, or distort the scene less".to_string()),
         };
         let head = Extent::token(cx.program.tree.stmt(march.looped.stmt).extent.first);
-        let (name, share) = (march.goal.name(), percent(found.share));
+        let (name, share) = (march.goal.name(), rounded_percent(found.share));
         let message = format!("{name} steps over the surface in {share} of the pixels");
         let finding = cx
             .report(head, message)

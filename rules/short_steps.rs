@@ -2,9 +2,9 @@
 
 use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_lint::march::{factor_edits, step_factor};
-use shaderlint_lint::sample::rounded;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
+use shaderlint_text::number::decimals;
 
 pub static RULE: Rule = Rule {
     name: "short-steps",
@@ -27,7 +27,7 @@ fn check(cx: &mut Context) {
         };
         let fix = factor_edits(facts, march, [factor, found.factor]).map(|edits| {
             let title = match found.factor < 1.0 {
-                true => format!("multiply the distance by {}", rounded(found.factor)),
+                true => format!("multiply the distance by {}", decimals(found.factor, 6)),
                 false => "step as far as the distance".to_string(),
             };
             Fix::suggestion(title, edits)

@@ -2,8 +2,9 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Draw, quads_all_over};
-use shaderlint_lint::sample::{Instant, SIZE, grouped};
+use shaderlint_lint::sample::{Instant, SIZE};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "static-picture",

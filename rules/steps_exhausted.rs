@@ -2,8 +2,9 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{LoopFacts, RayKind};
-use shaderlint_lint::sample::{Round, SampleRun, percent};
+use shaderlint_lint::sample::{Round, SampleRun};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::rounded_percent;
 
 pub static RULE: Rule = Rule {
     name: "steps-exhausted",
@@ -61,13 +62,16 @@ fn check(cx: &mut Context) {
         let Some(sample_run) = cx.facts.sample_run() else {
             continue;
         };
-        let (out, note) = (percent(exhausted(sample_run)), sample_run.sampled_note());
+        let (out, note) = (
+            rounded_percent(exhausted(sample_run)),
+            sample_run.sampled_note(),
+        );
         let message = format!("marching loop runs out of steps in {out} of the pixels");
         let finding = cx.report_expr(given, message);
         finding
             .note(format!(
                 "{} of the pixels change visibly with twice as many steps",
-                percent(changed)
+                rounded_percent(changed)
             ))
             .note(note)
             .help("use more steps, take longer steps, or end rays beyond a maximum distance as misses");

@@ -3,9 +3,10 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{FaultKind, NumberObservation};
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::sample::{OFTEN, rounded};
+use shaderlint_lint::sample::OFTEN;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
+use shaderlint_text::number::decimals;
 
 pub static RULE: Rule = Rule {
     name: "undefined-seen",
@@ -34,7 +35,7 @@ fn check(cx: &mut Context) {
         };
         let operands = &fault.number.witness.operands;
         let name = function.name();
-        let operands: Vec<String> = operands.iter().map(|n| rounded(*n)).collect();
+        let operands: Vec<String> = operands.iter().map(|n| decimals(*n, 6)).collect();
         let finding = cx.report_op(
             op,
             format!("`{name}({})` is undefined", operands.join(", ")),

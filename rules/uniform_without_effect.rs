@@ -2,9 +2,10 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Bytecode, UniformSlot, quads_all_over};
-use shaderlint_lint::sample::{Instant, Press, SIZE, grouped};
+use shaderlint_lint::sample::{Instant, Press, SIZE};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Storage, VariableId};
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "uniform-without-effect",

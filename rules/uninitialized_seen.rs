@@ -2,9 +2,10 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_flow::UnassignedVariable;
-use shaderlint_lint::sample::{SampleRun, percent};
+use shaderlint_lint::sample::SampleRun;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
+use shaderlint_text::number::rounded_percent;
 
 pub static RULE: Rule = Rule {
     name: "uninitialized-seen",
@@ -51,7 +52,7 @@ fn check(cx: &mut Context) {
             format!("`{name}` is read before it is assigned, and the image depends on it");
         let finding = cx.report(unset.at, message).note(format!(
             "{} of the pixels change visibly if its initial value is 7.25 instead of 0.0",
-            percent(changed)
+            rounded_percent(changed)
         ));
         let finding = match is_in_loop {
             true => finding.note("the loop before it does not assign it in every iteration"),

@@ -3,9 +3,10 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{ComparisonObservation, Watch};
 use shaderlint_ir::{Module, Op, OpId, OpKind};
-use shaderlint_lint::sample::{SampleFrame, SampleRun, grouped};
+use shaderlint_lint::sample::{SampleFrame, SampleRun};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Type;
+use shaderlint_text::number::grouped;
 
 pub static RULE: Rule = Rule {
     name: "unreachable-height",

@@ -3,6 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::sample::{SampleRun, is_too_bright, share};
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_text::number::rounded_percent;
 
 pub static RULE: Rule = Rule {
     name: "washed-out",
@@ -33,9 +34,9 @@ fn check(cx: &mut Context) {
     if sample_run.shows_a_number() || !cx.facts.is_seen(is_washed) {
         return;
     }
-    let percent = (share(sample_run.drawn(), is_too_bright) * 100.0).floor();
+    let percent = rounded_percent(share(sample_run.drawn(), is_too_bright));
     let note = sample_run.sampled_note();
-    let finding = cx.report_image(format!("{percent} % of the image is brighter than white"));
+    let finding = cx.report_image(format!("{percent} of the image is brighter than white"));
     finding
         .note(note)
         .help("reduce lights and colours, or apply tone mapping, e.g. `color / (1.0 + color)`");

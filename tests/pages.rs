@@ -8,7 +8,7 @@ use super::recorded::stale;
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
 use shaderlint::host::{Feed, Limit, presets};
-use shaderlint::lint::sample::{INSTANTS, SIZE, SampleLimit, grouped};
+use shaderlint::lint::sample::{INSTANTS, SIZE, SampleLimit};
 use shaderlint::lint::{
     Allow, Check, Fence, FenceKind, Page, Renderer, Rule, RulePreset, Settings,
 };
@@ -17,6 +17,7 @@ use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};
 use shaderlint::syntax::Version;
 use shaderlint::text::Sources;
+use shaderlint::text::number::grouped;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use shaderlint::commands::run::{
     FrameView, Loaded, ObservedRays, ShotSetting, UniformText, frame, shot,
 };
-use shaderlint::play::Moment;
+use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::Watch;
 use shaderlint::port::Project;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -65,7 +65,13 @@ fn is_white(case: &Value) -> Result<(), String> {
     };
     let mut shot = shot(&loaded, &setting)?;
     let moment = Moment::given(None, None, None);
-    let drawn = frame(&loaded, &mut shot, &moment, FrameView::default(), &mut |_| {})?;
+    let drawn = frame(
+        &loaded,
+        &mut shot,
+        &moment,
+        FrameView::default(),
+        &mut |_| {},
+    )?;
     let mean = drawn.facts.outputs.first().map(|o| &o.mean);
     match mean.is_some_and(|mean| mean.iter().all(|value| *value >= 1.0)) {
         true => Ok(()),

@@ -3,6 +3,7 @@
 use super::config::{Configs, absolute};
 use crate::detect::kind::{Claim, is_script, is_searched, made};
 use crate::text::Content;
+use crate::text::path::slashed;
 use ignore::WalkBuilder;
 use std::collections::BTreeSet;
 use std::fs;
@@ -195,7 +196,7 @@ fn is_taken(path: &Path, configs: &Configs) -> bool {
 
 /// A path for messages: with forward slashes, and without a leading `./`.
 fn shown(path: &Path) -> String {
-    let text = path.to_string_lossy().replace('\\', "/");
+    let text = slashed(path);
     text.strip_prefix("./").map(str::to_string).unwrap_or(text)
 }
 

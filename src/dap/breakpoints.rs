@@ -6,9 +6,9 @@ use super::evaluate::{DrawLimits, EvaluatedExpression};
 use super::places::{StackFrame, StopPlace};
 use super::stepping::moment_of;
 use super::timeline::Timeline;
-use shaderlint_diagnostic::grouped;
 use shaderlint_exec::{CompileOptions, Draw, QUAD, Stop, draw};
 use shaderlint_text::FileId;
+use shaderlint_text::number::grouped;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 

@@ -14,6 +14,7 @@ use shaderlint_ir::{LoopId, OpId, Step};
 use shaderlint_play::Decode;
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{StmtId, StmtKind};
+use shaderlint_text::path::slashed;
 use std::sync::Arc;
 
 /// Reads programs.
@@ -35,7 +36,7 @@ pub trait ProgramSource {
 
     /// The path that names a file, whatever a client calls it.
     fn path(&self, path: &str) -> String {
-        path.replace('\\', "/")
+        slashed(path)
     }
 }
 

@@ -301,19 +301,6 @@ pub fn count<N: std::fmt::Display + PartialEq + From<u8>>(n: N, one: &str) -> St
     format!("{n} {one}{plural}")
 }
 
-/// An integer with a comma between groups of three digits: `9,216`.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::count;

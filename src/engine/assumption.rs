@@ -2,8 +2,10 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_semantic::Program;
-use shaderlint_syntax::{RawItem, RawToken, is_blank, raw_items, tokenize};
-use shaderlint_text::{CompiledText, FileId, Role, Sources};
+use shaderlint_syntax::{
+    BranchId, ConditionalDirective, ConditionalGroup, ConditionalGroups, MacroTestKind,
+};
+use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -99,16 +101,32 @@ pub struct BranchNeeds {
 impl BranchNeeds {
     /// Reads the directives of a shader's files.
     pub fn of(sources: &Sources, files: &[FileId], program: &Program) -> BranchNeeds {
-        let mut reader = GroupReader {
-            is_fixed: fixed_names(program),
-            open: Vec::new(),
-            marks: BTreeMap::new(),
-        };
+        let fixed = fixed_names(program);
+        let mut groups = ConditionalGroups::default();
+        let mut starts = Vec::new();
         let codes = files.iter().filter_map(|id| sources.code(*id));
         for code in codes.filter(|c| c.role == Role::User) {
-            reader.read(&code);
+            starts.push((code.base, groups.current()));
+            groups.read(code.text, code.base);
         }
-        let marks = reader.marks;
+        let mut needs = FxHashMap::default();
+        let mut marks = BTreeMap::new();
+        for (index, group) in groups.all.iter().enumerate() {
+            let around = needs_of(&needs, group.around);
+            for (at, directive) in group.directives().enumerate() {
+                let own = match at < group.branches.len() {
+                    true => needed_by(group, at, around.clone(), &fixed),
+                    false => around.clone(),
+                };
+                marks.insert(directive.span.end, own.clone());
+                needs.insert((index, at), own);
+            }
+        }
+        marks.extend(
+            starts
+                .into_iter()
+                .map(|(base, id)| (base, needs_of(&needs, id))),
+        );
         let starts = program.tokens.inactive.iter();
         let within = |s: &shaderlint_text::Span| marks.range(s.start..s.end).map(|(at, _)| *at);
         let first =
@@ -148,157 +166,77 @@ fn fixed_names(program: &Program) -> FxHashSet<String> {
     names.collect()
 }
 
-/// A group under construction.
-struct OpenGroup<'t> {
-    /// What the code around the group needs.
+/// What the code of a branch needs; nothing outside of all groups.
+fn needs_of(
+    known: &FxHashMap<BranchId, Option<AssumedMacros>>,
+    branch: Option<BranchId>,
+) -> Option<AssumedMacros> {
+    let known = |id| known.get(&id).cloned().flatten();
+    branch.map_or_else(|| Some(AssumedMacros::default()), known)
+}
+
+/// What a branch needs, in a group in code that needs `around`.
+fn needed_by(
+    group: &ConditionalGroup<ConditionalDirective>,
+    at: usize,
     around: Option<AssumedMacros>,
-    /// The conditions of the branches so far.
-    conditions: Vec<BranchCondition<'t>>,
-}
-
-/// The words of a condition.
-#[derive(Clone)]
-struct BranchCondition<'t> {
-    directive: &'t str,
-    words: Vec<&'t str>,
-}
-
-struct GroupReader<'t> {
-    is_fixed: FxHashSet<String>,
-    open: Vec<OpenGroup<'t>>,
-    marks: BTreeMap<u32, Option<AssumedMacros>>,
-}
-
-impl<'t> GroupReader<'t> {
-    fn read(&mut self, code: &CompiledText<'t>) {
-        let needs = self.needs();
-        self.marks.insert(code.base, needs);
-        let tokens = tokenize(code.text, code.base);
-        let word = |t: &RawToken| -> &'t str {
-            let range = (t.span.start - code.base) as usize..(t.span.end - code.base) as usize;
-            code.text.get(range).unwrap_or("")
-        };
-        for item in raw_items(&tokens) {
-            let RawItem::Directive(hash, line) = item else {
-                continue;
-            };
-            let mut words = line.iter().filter(|t| !is_blank(t.kind)).map(word);
-            let directive = words.next().unwrap_or("");
-            let condition = BranchCondition {
-                directive,
-                words: words.collect(),
-            };
-            self.directive(condition);
-            if matches!(
-                directive,
-                "if" | "ifdef" | "ifndef" | "elif" | "else" | "endif"
-            ) {
-                let end = line.last().map_or(hash.span.end, |t| t.span.end);
-                let needs = self.needs();
-                self.marks.insert(end, needs);
-            }
-        }
+    fixed: &FxHashSet<String>,
+) -> Option<AssumedMacros> {
+    if at > MOST_BRANCHES || group.depth >= DEEPEST {
+        return None;
     }
-
-    fn directive(&mut self, condition: BranchCondition<'t>) {
-        match condition.directive {
-            "if" | "ifdef" | "ifndef" if self.open.len() < DEEPEST => {
-                let around = self.needs();
-                self.open.push(OpenGroup {
-                    around,
-                    conditions: vec![condition],
-                });
-            }
-            "elif" | "else" => {
-                if let Some(group) = self.open.last_mut() {
-                    group.conditions.push(condition);
-                }
-            }
-            "endif" => {
-                self.open.pop();
-            }
-            _ => {}
-        }
-    }
-
-    /// What the code after the last directive needs.
-    fn needs(&self) -> Option<AssumedMacros> {
-        let Some(group) = self.open.last() else {
-            return Some(AssumedMacros::default());
-        };
-        let (own, earlier) = group.conditions.split_last()?;
-        if earlier.len() >= MOST_BRANCHES {
+    let mut needs = around?;
+    let mut directives = group.directives();
+    let earlier: Vec<_> = directives.by_ref().take(at).collect();
+    for (name, assumed) in needed(directives.next()?, true, fixed) {
+        if !needs.add(name, assumed?) {
             return None;
         }
-        let mut needs = group.around.clone()?;
-        for (name, assumed) in self.needed(own, true) {
-            if !needs.add(name, assumed?) {
-                return None;
-            }
-        }
-        // The largest value that no earlier branch tests.
-        let mut others: FxHashMap<&str, AssumedValue> = FxHashMap::default();
-        for (name, assumed) in earlier.iter().flat_map(|c| self.needed(c, false)) {
-            let Some(assumed) = assumed else {
-                continue;
-            };
-            let known = others.entry(name).or_insert(assumed);
-            if let (AssumedValue::Value(a), AssumedValue::Value(b)) = (*known, assumed) {
-                *known = AssumedValue::Value(a.max(b));
-            }
-        }
-        for (name, assumed) in others {
-            if !needs.0.contains_key(name) {
-                needs.add(name, assumed);
-            }
-        }
-        Some(needs)
     }
-
-    /// What makes the tests of a condition true, or false; `None` if it is unknown.
-    fn needed(
-        &self,
-        condition: &BranchCondition<'t>,
-        truth: bool,
-    ) -> Vec<(&'t str, Option<AssumedValue>)> {
-        let words: Vec<&'t str> = condition
-            .words
-            .iter()
-            .copied()
-            .filter(|w| !matches!(*w, "(" | ")"))
-            .collect();
-        let word = |i: usize| words.get(i).copied().unwrap_or("");
-        let is_test = |i: usize| match condition.directive {
-            "ifdef" | "ifndef" => i == 0,
-            _ => i > 0 && word(i - 1) == "defined",
+    // The largest value that no earlier branch tests.
+    let mut others: FxHashMap<&str, AssumedValue> = FxHashMap::default();
+    for (name, assumed) in earlier.iter().flat_map(|d| needed(d, false, fixed)) {
+        let Some(assumed) = assumed else {
+            continue;
         };
-        let mut found = Vec::new();
-        for (i, name) in words.iter().copied().enumerate() {
-            if !self.is_free(name) {
-                continue;
-            }
-            let assumed = if is_test(i) {
-                let is_negated = i > 1 && word(i - 2) == "!" || condition.directive == "ifndef";
-                match is_negated == truth {
-                    true => Some(AssumedValue::Undefined),
-                    false => Some(AssumedValue::Defined),
-                }
-            } else {
-                let is_negated = i > 0 && word(i - 1) == "!";
-                value(word(i + 1), word(i + 2), truth != is_negated)
-            };
-            found.push((name, assumed));
+        let known = others.entry(name).or_insert(assumed);
+        if let (AssumedValue::Value(a), AssumedValue::Value(b)) = (*known, assumed) {
+            *known = AssumedValue::Value(a.max(b));
         }
-        found
     }
+    for (name, assumed) in others {
+        if !needs.0.contains_key(name) {
+            needs.add(name, assumed);
+        }
+    }
+    Some(needs)
+}
 
-    /// Whether a word is a name that a host or a user may define. Names with `GL_` and `__` belong to
-    /// the compiler (section 3.4).
-    fn is_free(&self, word: &str) -> bool {
-        let is_name = word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        let is_reserved = word.starts_with("GL_") || word.contains("__") || word == "defined";
-        is_name && !is_reserved && !self.is_fixed.contains(word)
-    }
+/// What makes the tests of a condition true, or false; `None` if it is unknown.
+fn needed<'t>(
+    directive: &ConditionalDirective<'t>,
+    truth: bool,
+    fixed: &FxHashSet<String>,
+) -> Vec<(&'t str, Option<AssumedValue>)> {
+    let tests = directive.tests().into_iter();
+    let tests = tests.filter(|t| is_free(t.name) && !fixed.contains(t.name));
+    let all = tests.map(|test| {
+        let holds = test.is_negated != truth;
+        let assumed = match test.kind {
+            MacroTestKind::Defined if holds => Some(AssumedValue::Defined),
+            MacroTestKind::Defined => Some(AssumedValue::Undefined),
+            MacroTestKind::Value => Some(AssumedValue::Value(i64::from(holds))),
+            MacroTestKind::Compared(operator, with) => value(operator, with, holds),
+        };
+        (test.name, assumed)
+    });
+    all.collect()
+}
+
+/// Whether a host or a user may define a macro with this name. Names with `GL_` and `__` belong to
+/// the compiler (section 3.4).
+fn is_free(name: &str) -> bool {
+    !name.starts_with("GL_") && !name.contains("__")
 }
 
 /// A value for which a test of a macro is true, or false.
@@ -311,7 +249,6 @@ fn value(operator: &str, with: &str, truth: bool) -> Option<AssumedValue> {
         (">=", Some(n)) => n - 1,
         (">", Some(n)) => n + i64::from(truth),
         ("<", Some(n)) => n - i64::from(truth),
-        ("" | "&&" | "||", _) => i64::from(truth),
         _ => return None,
     };
     Some(AssumedValue::Value(value))

@@ -1,6 +1,6 @@
 //! Access to files, provided by the caller of the engine.
 
-use super::path::plain;
+use shaderlint_text::path::plain;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -3,11 +3,11 @@
 
 use super::check_context::CheckContext;
 use super::files::Files;
-use super::path::plain;
 use super::reading::Readings;
 use super::repository::{counts, hash};
 use rustc_hash::FxHashMap;
 use shaderlint_host::{Preset, presets};
+use shaderlint_text::path::plain;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::path::Path;

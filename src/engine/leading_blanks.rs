@@ -2,8 +2,8 @@
 
 use super::check_context::CheckContext;
 use super::host::imports;
-use super::path::plain;
 use shaderlint_detect::embed::{Embedder, LeadingBlanks};
+use shaderlint_text::path::plain;
 use std::path::Path;
 
 /// Maximum number of scripts of a page that are read.

@@ -31,7 +31,6 @@ mod modernize;
 mod offer;
 mod options;
 mod partner;
-pub mod path;
 mod place;
 mod prelude;
 mod reading;

@@ -1,9 +1,9 @@
 //! The words of a repository: whether another of its files contains a name.
 
 use super::files::{FileType, Files};
-use super::path::plain;
 use rustc_hash::{FxHashMap, FxHasher};
 use shaderlint_detect::kind::file_extension;
+use shaderlint_text::path::plain;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::{Path, PathBuf};

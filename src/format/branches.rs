@@ -1,39 +1,51 @@
 //! The indentation of code inside preprocessor conditionals, if the author indented it.
 
-use super::item::{BranchDirective, FormatItem, ItemKind};
+use super::item::{FormatItem, ItemKind};
 use super::structure::{ItemRole, StatementStart};
-
-/// A conditional: its directives, and whether the author indented what is inside.
-#[derive(Default)]
-struct Conditional {
-    directives: Vec<usize>,
-    /// None as long as it is empty.
-    is_indented: Option<bool>,
-}
+use shaderlint_syntax::ConditionalGroups;
 
 /// Indents the code inside each conditional whose first line is indented further than its `#if`,
 /// unless that is at the margin inside a function. The directives of a conditional are indented
 /// alike, as the outermost of them; code is not indented if it opens or closes blocks around them.
 pub fn indent(items: &[FormatItem], roles: &mut [ItemRole], base: u32) {
     let mut extra = vec![0i64; items.len() + 1];
-    for conditional in conditionals(items, roles, base) {
-        let [first, .., last] = conditional.directives[..] else {
+    let mut groups = ConditionalGroups::default();
+    for (at, item) in items.iter().enumerate() {
+        if let ItemKind::Directive(Some(effect)) = item.kind {
+            groups.add(effect, at);
+        }
+    }
+    let indented: Vec<Option<bool>> = groups
+        .all
+        .iter()
+        .map(|group| {
+            // The first line that moves with its directive shows what the author does.
+            let mut branches = group.branches.iter();
+            branches.find_map(|b| is_indented(items, roles, b.directive, base))
+        })
+        .collect();
+    for (group, is_indented) in groups.all.iter().zip(indented) {
+        if group.end.is_none() {
+            continue;
+        }
+        let directives: Vec<usize> = group.directives().copied().collect();
+        let [first, .., last] = directives[..] else {
             continue;
         };
         let level = |at: &usize| roles.get(*at).map_or(0, |role| role.level);
-        let levels = conditional.directives.iter().map(level);
+        let levels = directives.iter().map(level);
         let (Some(least), Some(most)) = (levels.clone().min(), levels.max()) else {
             continue;
         };
-        for at in &conditional.directives {
+        for at in &directives {
             if let Some(role) = roles.get_mut(*at) {
                 role.level = least;
             }
         }
-        if conditional.is_indented != Some(true) || least != most {
+        if is_indented != Some(true) || least != most {
             continue;
         }
-        let inner = conditional.directives.iter().skip(1);
+        let inner = directives.iter().skip(1);
         let changes = [(first + 1, 1), (last, -1)].into_iter();
         let between = inner.filter(|at| **at != last);
         let changes = changes.chain(between.flat_map(|at| [(*at, -1), (*at + 1, 1)]));
@@ -48,32 +60,6 @@ pub fn indent(items: &[FormatItem], roles: &mut [ItemRole], base: u32) {
         depth += change;
         role.level += u32::try_from(depth).unwrap_or(0);
     }
-}
-
-fn conditionals(items: &[FormatItem], roles: &[ItemRole], base: u32) -> Vec<Conditional> {
-    let (mut open, mut closed): (Vec<Conditional>, Vec<Conditional>) = (Vec::new(), Vec::new());
-    for (at, item) in items.iter().enumerate() {
-        let ItemKind::Directive(directive) = item.kind else {
-            continue;
-        };
-        if directive == BranchDirective::Opens {
-            open.push(Conditional::default());
-        }
-        if directive == BranchDirective::Other {
-            continue;
-        }
-        if let Some(last) = open.last_mut() {
-            last.directives.push(at);
-        }
-        if directive == BranchDirective::Closes {
-            closed.extend(open.pop());
-        } else if let Some(last) = open.last_mut()
-            && last.is_indented.is_none()
-        {
-            last.is_indented = is_indented(items, roles, at, base);
-        }
-    }
-    closed
 }
 
 /// Whether the line after a directive is indented further; `None` if it does not move with it.

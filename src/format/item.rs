@@ -2,7 +2,9 @@
 //! directives.
 
 use super::request::Unformatted;
-use shaderlint_syntax::{RawKind, RawToken, TokenKind, Version, WordClass, classify, tokenize};
+use shaderlint_syntax::{
+    GroupDirective, RawKind, RawToken, TokenKind, Version, WordClass, classify, tokenize,
+};
 use shaderlint_text::Span;
 
 /// A piece of text that is not changed.
@@ -38,21 +40,10 @@ pub enum ItemKind {
     Token(TokenKind),
     LineComment,
     BlockComment,
-    Directive(BranchDirective),
+    /// With its effect on `#if` groups, if it has one.
+    Directive(Option<GroupDirective>),
     /// Text that is not code: a branch under `#if 0`.
     Idle,
-}
-
-/// The effect of a directive on preprocessor branches.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BranchDirective {
-    /// `#if`, `#ifdef`, `#ifndef`
-    Opens,
-    /// `#elif`, `#else`
-    Alternates,
-    /// `#endif`
-    Closes,
-    Other,
 }
 
 impl FormatItem {
@@ -165,7 +156,8 @@ impl<'a> ItemReader<'a> {
             RawKind::Hash => {
                 let (count, span) = directive(raw, at);
                 let directive = self.branch(raw, at, span);
-                let is_never = directive == BranchDirective::Opens && is_never(self.text(span));
+                let is_never =
+                    directive == Some(GroupDirective::Opens) && is_never(self.text(span));
                 self.keeps_next |= !is_first;
                 self.add(ItemKind::Directive(directive), span);
                 return match is_never {
@@ -184,10 +176,10 @@ impl<'a> ItemReader<'a> {
     }
 
     /// The effect on branches of the directive at `at`, which covers `span`.
-    fn branch(&self, raw: &[RawToken], at: usize, span: Span) -> BranchDirective {
+    fn branch(&self, raw: &[RawToken], at: usize, span: Span) -> Option<GroupDirective> {
         let name = raw.iter().skip(at + 1).find(|t| t.kind == RawKind::Word);
         let name = name.filter(|n| n.span.end <= span.end);
-        name.map_or(BranchDirective::Other, |n| of_name(self.text(n.span)))
+        GroupDirective::of(self.text(name?.span))
     }
 
     fn gap(&mut self, token: &RawToken) {
@@ -275,10 +267,10 @@ impl<'a> ItemReader<'a> {
                 let span;
                 (count, span) = directive(raw, at);
                 match self.branch(raw, at, span) {
-                    BranchDirective::Opens => depth += 1,
-                    BranchDirective::Alternates | BranchDirective::Closes if depth == 0 => break,
-                    BranchDirective::Closes => depth -= 1,
-                    BranchDirective::Alternates | BranchDirective::Other => {}
+                    Some(GroupDirective::Opens) => depth += 1,
+                    Some(_) if depth == 0 => break,
+                    Some(GroupDirective::Closes) => depth -= 1,
+                    _ => {}
                 }
             }
             is_first = match token.kind {
@@ -319,15 +311,6 @@ fn directive(raw: &[RawToken], at: usize) -> (usize, Span) {
     let first = line.first().map_or(Span::at(0), span);
     let last = count.checked_sub(1).and_then(|i| line.get(i));
     (count, first.to(last.map_or(first, span)))
-}
-
-fn of_name(name: &str) -> BranchDirective {
-    match name {
-        "if" | "ifdef" | "ifndef" => BranchDirective::Opens,
-        "elif" | "else" => BranchDirective::Alternates,
-        "endif" => BranchDirective::Closes,
-        _ => BranchDirective::Other,
-    }
 }
 
 /// Whether a directive is `#if 0`.

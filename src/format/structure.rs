@@ -1,10 +1,10 @@
 //! The statement structure of a text: where statements start, and their nesting, derived from
 //! brackets, semicolons and control-flow keywords, in all branches of the preprocessor.
 
-use super::item::{BranchDirective, FormatItem, ItemKind};
+use super::item::{FormatItem, ItemKind};
 use super::request::Unformatted;
-use shaderlint_syntax::TokenKind as T;
 use shaderlint_syntax::set::TokenSet;
+use shaderlint_syntax::{GroupDirective, TokenKind as T};
 use std::ops::Range;
 
 /// Maximum nesting of brackets, bodies without braces and preprocessor conditionals.
@@ -699,30 +699,30 @@ impl StructureReader<'_> {
         }
     }
 
-    fn directive(&mut self, at: u32, directive: BranchDirective) -> Result<(), Unformatted> {
+    fn directive(&mut self, at: u32, directive: Option<GroupDirective>) -> Result<(), Unformatted> {
         self.inner(at);
         let level = self.role(at).level;
         self.assign_comments(level);
         match directive {
-            BranchDirective::Opens if self.branches.len() > MAX_DEPTH => {
+            Some(GroupDirective::Opens) if self.branches.len() > MAX_DEPTH => {
                 return self.error(at, "`#if` groups are nested too deeply");
             }
-            BranchDirective::Opens => self.branches.push(Branches {
+            Some(GroupDirective::Opens) => self.branches.push(Branches {
                 before: self.state.clone(),
                 after_first: None,
             }),
-            BranchDirective::Alternates => {
+            Some(GroupDirective::Alternates) => {
                 if let Some(branches) = self.branches.last_mut() {
                     let end = std::mem::replace(&mut self.state, branches.before.clone());
                     branches.after_first.get_or_insert(end);
                 }
             }
-            BranchDirective::Closes => {
+            Some(GroupDirective::Closes) => {
                 if let Some(first) = self.branches.pop().and_then(|b| b.after_first) {
                     self.state = first;
                 }
             }
-            BranchDirective::Other => {}
+            None => {}
         }
         Ok(())
     }

@@ -81,12 +81,7 @@ pub fn presentations(document: &Document, span: Span, color: Color) -> Vec<Edit>
         .unwrap_or("");
     let number = |lane: f32| {
         // Colour pickers use steps of 1/255, for which three digits are sufficient.
-        let rounded = format!("{:.3}", lane.clamp(0.0, 1.0));
-        let short = rounded.trim_end_matches('0');
-        match short.ends_with('.') {
-            true => format!("{short}0"),
-            false => short.to_string(),
-        }
+        format!("{:?}", (lane.clamp(0.0, 1.0) * 1e3).round() / 1e3)
     };
     let [r, g, b] = color.rgb.map(number);
     let has_alpha = old.trim_start().starts_with("vec4");

@@ -292,7 +292,7 @@ fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal>
     let own = std::path::Path::new(&document.path);
     let folder = own.parent().unwrap_or(own);
     let inner = path.rfind('/').and_then(|at| path.get(..at)).unwrap_or("");
-    let folder = shaderlint_engine::path::plain(&folder.join(inner));
+    let folder = shaderlint_text::path::plain(&folder.join(inner));
     let mut names = files.names(&folder);
     names.sort_unstable();
     let is_named = |name: &String| {

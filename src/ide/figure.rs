@@ -3,6 +3,7 @@
 use shaderlint_semantic::builtins::{Builtins, Overload};
 use shaderlint_semantic::{Stage, Type, Value};
 use shaderlint_syntax::Version;
+use shaderlint_text::number::decimals;
 
 /// Columns and rows of characters; each has 2 by 4 dots.
 const SIZE: [usize; 2] = [30, 5];
@@ -62,8 +63,7 @@ fn overload(name: &str, count: usize) -> Option<&'static Overload> {
 }
 
 fn shown(value: f32) -> String {
-    let rounded = (value * 100.0).round() / 100.0;
-    format!("{}", rounded + 0.0)
+    decimals(value.into(), 2)
 }
 
 /// The rows of a plot in Braille characters.

@@ -2,7 +2,7 @@
 //! incomplete code.
 
 use super::document::Document;
-use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};
+use shaderlint_syntax::{ConditionalGroups, RawKind, TokenKind, tokenize};
 use shaderlint_text::{LineIndex, Span};
 
 /// A folding range.
@@ -58,10 +58,9 @@ fn in_code(document: &Document, text: &str, base: u32, found: &mut Vec<FoldingSp
     };
     let tokens = tokenize(text, base);
     let mut open: Vec<u32> = Vec::new();
-    let mut groups: Vec<u32> = Vec::new();
     let mut comments: Option<Span> = None;
     let mut at_start = true;
-    for (i, token) in tokens.iter().enumerate() {
+    for token in &tokens {
         if token.kind == RawKind::LineComment && at_start {
             comments = Some(comments.map_or(token.span, |c| c.to(token.span)));
         } else if !matches!(token.kind, RawKind::Whitespace | RawKind::Newline)
@@ -82,21 +81,6 @@ fn in_code(document: &Document, text: &str, base: u32, found: &mut Vec<FoldingSp
                     add(start, token.span.start, FoldKind::Block);
                 }
             }
-            RawKind::Hash if at_start => match directive(text, base, tokens.get(i..)) {
-                "if" | "ifdef" | "ifndef" => groups.push(line_end(&lines, text, base, token)),
-                "else" | "elif" => {
-                    if let Some(start) = groups.pop() {
-                        add(start, token.span.start, FoldKind::Group);
-                    }
-                    groups.push(line_end(&lines, text, base, token));
-                }
-                "endif" => {
-                    if let Some(start) = groups.pop() {
-                        add(start, token.span.start, FoldKind::Group);
-                    }
-                }
-                _ => {}
-            },
             _ => {}
         }
         at_start = match token.kind {
@@ -109,19 +93,9 @@ fn in_code(document: &Document, text: &str, base: u32, found: &mut Vec<FoldingSp
     if let Some(run) = comments {
         add(run.start, run.end, FoldKind::Comment);
     }
-}
-
-/// The name of the directive at the start of some tokens.
-fn directive<'t>(text: &'t str, base: u32, tokens: Option<&[RawToken]>) -> &'t str {
-    let mut words = tokens.unwrap_or(&[]).iter().skip(1).take(2);
-    let word = words.find(|t| t.kind == RawKind::Word);
-    let span = word.map(|t| (t.span.start - base) as usize..(t.span.end - base) as usize);
-    span.and_then(|span| text.get(span)).unwrap_or("")
-}
-
-/// The end of the line of a token.
-fn line_end(lines: &LineIndex, text: &str, base: u32, token: &RawToken) -> u32 {
-    let (start, end) = lines.bounds(token.span.start - base, text.len() as u32);
-    let line = text.get(start as usize..end as usize).unwrap_or("");
-    base + start + line.trim_end_matches(['\n', '\r']).len() as u32
+    for group in ConditionalGroups::of(text, base).all {
+        for (from, to) in group.directives().zip(group.directives().skip(1)) {
+            add(from.span.end, to.span.start, FoldKind::Group);
+        }
+    }
 }

@@ -16,6 +16,7 @@ use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{BuiltinId, Program, Scalar, Stage, Storage, Type, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId};
 use shaderlint_text::Span;
+use shaderlint_text::number::rounded_count;
 
 /// A hover text.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -225,17 +226,8 @@ fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
 
 /// Formats a number of operations.
 pub fn operations(count: f64) -> String {
-    let shown = match count {
-        n if n < 1_000.0 => format!("{n:.0}"),
-        n if n < 1e6 => format!("{:.1} thousand", n / 1e3),
-        n if n < 1e9 => format!("{:.1} million", n / 1e6),
-        n => format!("{n:.1e}"),
-    };
-    format!(
-        "{} operation{}",
-        shown.replace(".0 ", " "),
-        if count == 1.0 { "" } else { "s" }
-    )
+    let plural = if count == 1.0 { "" } else { "s" };
+    format!("{} operation{plural}", rounded_count(count))
 }
 
 /// The expansion of a macro call.

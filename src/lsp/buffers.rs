@@ -7,6 +7,7 @@ use gen_lsp_types::{Position, Range, TextDocumentContentChangeEvent, Uri};
 use shaderlint_engine::{FileType, Files, LoadError, Options};
 use shaderlint_ide::{Document, RunObservations};
 use shaderlint_text::LineIndex;
+use shaderlint_text::path::slashed;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Bound;
@@ -48,7 +49,7 @@ pub struct Ran {
 impl TextBuffer {
     /// A document that was just opened.
     pub fn new(uri: Uri, language: String, version: i32, text: String, state: u64) -> TextBuffer {
-        let path = path_of(&uri).map(|path| path.to_string_lossy().replace('\\', "/"));
+        let path = path_of(&uri).map(slashed);
         // A document without a file gets a name with an extension that selects its language.
         let path = path.unwrap_or_else(|| {
             let name: String = uri

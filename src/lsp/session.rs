@@ -21,6 +21,7 @@ use shaderlint_engine::Files;
 use shaderlint_ide::Document;
 use shaderlint_lint::Page;
 use shaderlint_rules::page;
+use shaderlint_text::path::slashed;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -283,7 +284,7 @@ impl Session {
 
     /// Analyses the open documents again that depend on a file.
     fn renew_users(&mut self, path: &Path) {
-        let changed = path.to_string_lossy().replace('\\', "/");
+        let changed = slashed(path);
         // The dependencies of a document without analysis are unknown: the worker may be computing
         // them from the old files.
         let uses = |buffer: &TextBuffer| {
@@ -424,7 +425,7 @@ impl Session {
             if before.get(&path) == finding.as_ref() {
                 continue;
             }
-            let name = path.to_string_lossy().replace('\\', "/");
+            let name = slashed(&path);
             let params = config_findings(&self.now, &name, finding.as_ref());
             self.notify::<PublishDiagnosticsNotification>(&params);
             if let Some(finding) = finding {

@@ -1,6 +1,8 @@
 //! Conversions between paths and `file:` URIs (RFC 8089).
 
 use gen_lsp_types::Uri;
+use shaderlint_text::markup::in_address;
+use shaderlint_text::path::{plain, slashed};
 use std::path::{Path, PathBuf};
 
 /// The path of a `file:` URI; `None` for others.
@@ -29,24 +31,15 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
         Some(_) => path.strip_prefix('/')?,
         None => &path,
     };
-    Some(shaderlint_engine::path::plain(Path::new(path)))
+    Some(plain(Path::new(path)))
 }
 
 /// The URI of a path.
 pub fn uri_of(path: &str) -> Uri {
-    let mut text = String::from("file://");
-    if !path.starts_with('/') {
-        text.push('/');
-    }
-    for byte in path.replace('\\', "/").bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' | b'~' => {
-                text.push(byte as char);
-            }
-            byte => text.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    Uri(text)
+    let start = if path.starts_with('/') { "" } else { "/" };
+    let path = slashed(path);
+    let parts: Vec<String> = path.split('/').map(in_address).collect();
+    Uri(format!("file://{start}{}", parts.join("/")))
 }
 
 fn hex(digit: u8) -> Option<u8> {

@@ -1,13 +1,13 @@
 //! A page for frames of other pages: it shows a still image and plays after a click.
 
 use super::credits;
-use super::html::{PageParts, PlayerPage, attribute, in_address};
+use super::html::{PageParts, PlayerPage};
 use super::payload::payload;
 use super::pieces::PlayerParts;
-use super::script::escape;
 use super::{Composed, Project};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use shaderlint_text::markup::{decode, escape, escape_json, in_address};
 use std::path::Path;
 
 /// Starts the page.
@@ -137,7 +137,7 @@ impl Card<'_> {
         }
         rows.push(("name", "twitter:card", card.to_string()));
         let row = |(kind, name, value): &(&str, &str, String)| {
-            let value = attribute(value);
+            let value = escape(value);
             format!("<meta {kind}=\"{name}\" content=\"{value}\">\n")
         };
         rows.iter().map(row).collect()
@@ -150,7 +150,7 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
     let title = title(project);
     let author = match info.author.as_str() {
         "" => String::new(),
-        author => format!("by {}", decoded(author)),
+        author => format!("by {}", decode(author)),
     };
     let alt = format!("Still image of {title}");
     let description = description(project);
@@ -166,7 +166,7 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
     };
     let image = poster.still.as_ref().map(|Still { size, png }| {
         let [width, height] = size;
-        let (alt, data) = (attribute(&alt), BASE64_STANDARD.encode(png));
+        let (alt, data) = (escape(&alt), BASE64_STANDARD.encode(png));
         format!(
             "<img alt=\"{alt}\" width=\"{width}\" height=\"{height}\" \
              src=\"data:image/png;base64,{data}\">"
@@ -177,8 +177,8 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
         "<div id=\"poster\"{}>{}<p>{} <small>{}</small></p></div>\n",
         if poster.click { " data-click" } else { "" },
         image.unwrap_or_default(),
-        attribute(&title),
-        attribute(&author)
+        escape(&title),
+        escape(&author)
     );
     PlayerPage::new(&PageParts {
         title: &title,
@@ -188,7 +188,7 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
         },
         meta: &card.meta(),
         poster: Some(&poster_element),
-        project: &escape(&payload(project, composed)),
+        project: &escape_json(&payload(project, composed)),
         needs: match poster.shared {
             true => PlayerParts::all(),
             false => PlayerParts::of(project, composed, false),
@@ -203,35 +203,21 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
 pub(super) fn title(project: &Project) -> String {
     match project.info.name.trim() {
         "" => "Shader".to_string(),
-        name => decoded(name),
+        name => decode(name),
     }
 }
 
 /// One line about a project: the start of its description, or its author.
 fn description(project: &Project) -> String {
     let info = &project.info;
-    let text = decoded(&info.description);
+    let text = decode(&info.description);
     let words: Vec<&str> = text.split_whitespace().collect();
     let text: String = words.join(" ").chars().take(MAX_DESCRIPTION).collect();
     match (text.is_empty(), info.author.as_str()) {
         (false, _) => text,
         (true, "") => "A shader that plays in the browser".to_string(),
-        (true, author) => format!("A shader by {}", decoded(author)),
+        (true, author) => format!("A shader by {}", decode(author)),
     }
-}
-
-/// A text of an export, in which ShaderToy writes some characters as entities.
-pub(super) fn decoded(text: &str) -> String {
-    let entities = [
-        ("&lt;", "<"),
-        ("&gt;", ">"),
-        ("&quot;", "\""),
-        ("&#39;", "'"),
-        ("&#039;", "'"),
-        ("&amp;", "&"),
-    ];
-    let replace = |text: String, (entity, c): (&str, &str)| text.replace(entity, c);
-    entities.into_iter().fold(text.to_string(), replace)
 }
 
 #[cfg(test)]
@@ -278,10 +264,5 @@ mod tests {
             "{meta}"
         );
         assert!(!meta.contains("og:image"), "{meta}");
-    }
-
-    #[test]
-    fn entities_are_decoded_once() {
-        assert_eq!(decoded("a &amp;lt; &lt;b&gt;"), "a &lt; <b>");
     }
 }

@@ -1,9 +1,10 @@
 //! A page that lists the pages of many shaders, with a still image of each. Its script only searches.
 
-use super::embed::{Card, PageAddress, Poster, START, decoded, title};
-use super::html::{COLORS, PageParts, PlayerPage, attribute, fill, hash, in_address};
+use super::embed::{Card, PageAddress, Poster, START, title};
+use super::html::{COLORS, PageParts, PlayerPage, fill, hash};
 use super::pieces::PlayerParts;
 use super::{Project, credits};
+use shaderlint_text::markup::{decode, escape, in_address};
 
 const PAGE: &str = include_str!("player/page/gallery.html");
 const STYLE: &str = include_str!("player/min/page/gallery.css");
@@ -29,7 +30,7 @@ impl GalleryEntry {
         GalleryEntry {
             name: name.to_string(),
             title: title(project),
-            author: decoded(&project.info.author),
+            author: decode(&project.info.author),
             license: credits::license(project),
             still: poster.still.as_ref().map(|still| still.size),
         }
@@ -46,16 +47,16 @@ impl GalleryEntry {
         };
         let author = match self.author.as_str() {
             "" => String::new(),
-            author => format!("<small>by {}</small>", attribute(author)),
+            author => format!("<small>by {}</small>", escape(author)),
         };
         let license = match self.license.as_str() {
             "" => String::new(),
-            license => format!("<small class=\"license\">{}</small>", attribute(license)),
+            license => format!("<small class=\"license\">{}</small>", escape(license)),
         };
         format!(
             "<li><a href=\"{name}.html#play\"><span class=\"image\">{image}</span>\
              <b>{}</b>{author}</a>{license}</li>\n",
-            attribute(&self.title)
+            escape(&self.title)
         )
     }
 }
@@ -119,8 +120,8 @@ fn list(heading: &str, entries: &[&GalleryEntry], address: Option<&PageAddress>)
         PAGE,
         &[
             ("policy", &policy),
-            ("title", &attribute(heading)),
-            ("description", &attribute(&description)),
+            ("title", &escape(heading)),
+            ("description", &escape(&description)),
             ("meta", &card.meta()),
             ("style", &style),
             ("cards", &cards),

@@ -6,14 +6,14 @@
 
 use super::payload::payload;
 use super::pieces::PlayerParts;
-use super::script::{MOUNT, escape};
+use super::script::MOUNT;
 use super::{Composed, Project, Wrapper, credits};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest, Sha256};
 use shaderlint_semantic::Stage;
 use shaderlint_text::Role;
-use std::fmt::Write;
+use shaderlint_text::markup::{escape, escape_json, in_address};
 
 const PAGE: &str = include_str!("player/page/page.html");
 /// The colours of all pages.
@@ -71,7 +71,7 @@ pub fn html(
     PlayerPage::new(&PageParts {
         title,
         description: &credits,
-        project: &escape(&payload(project, composed)),
+        project: &escape_json(&payload(project, composed)),
         needs: PlayerParts::of(project, composed, true),
         start: &start,
         version,
@@ -158,14 +158,14 @@ impl PlayerPage {
         );
         let of_panel = |text| if has_panel { text } else { "" };
         let debug = parts.playground.map_or(String::new(), |address| {
-            fill(DEBUG, &[("playground", &attribute(address))])
+            fill(DEBUG, &[("playground", &escape(address))])
         });
         let extras = fill(EXTRAS, &[("debug", &debug)]);
         let body = fill(
             PAGE,
             &[
-                ("title", &attribute(parts.title)),
-                ("credits", &attribute(parts.description)),
+                ("title", &escape(parts.title)),
+                ("credits", &escape(parts.description)),
                 ("policy", POLICY),
                 ("meta", parts.meta),
                 ("style", MARK),
@@ -251,7 +251,7 @@ pub fn waiting_page(message: &str, version: &str) -> String {
          <title>No page yet</title>\n<style>{style}</style>\n<p>{}</p>\n\
          <p>This page reloads when you save the file.</p>\n<script>{script}</script>\n",
         policy(&script, style, true),
-        attribute(message)
+        escape(message)
     )
 }
 
@@ -272,38 +272,6 @@ pub(super) fn hash(text: &str) -> String {
     BASE64_STANDARD.encode(Sha256::digest(text))
 }
 
-/// A file name as a part of an address.
-pub(super) fn in_address(name: &str) -> String {
-    let mut out = String::with_capacity(name.len());
-    for byte in name.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' => {
-                out.push(char::from(byte));
-            }
-            _ => {
-                let _ = write!(out, "%{byte:02X}");
-            }
-        }
-    }
-    out
-}
-
-/// Escapes text for use in an element or a quoted attribute.
-pub(super) fn attribute(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\0' | '\u{2028}' | '\u{2029}' => {}
-            _ => out.push(c),
-        }
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -314,11 +282,6 @@ mod tests {
         for text in texts.chain(&[COLORS, STYLE, PANEL_STYLE, MOUNT, DEBUGGER]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
-    }
-
-    #[test]
-    fn text_stays_inside_its_attribute() {
-        assert_eq!(attribute("\"><b&"), "&quot;&gt;&lt;b&amp;");
     }
 
     #[test]

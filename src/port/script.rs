@@ -5,6 +5,7 @@ use super::pieces::PlayerParts;
 #[cfg(feature = "naga")]
 use super::webgpu::WebGpuPass;
 use super::{Composed, ControlKind, Project, UniformControl, credits};
+use shaderlint_text::markup::escape_json;
 
 /// What the module for three.js shares with the player: values of uniforms, sizes and sound.
 const SHARED: [&str; 4] = [
@@ -70,8 +71,8 @@ pub fn three(project: &Project, composed: &Composed) -> ScriptModule {
 #[cfg(feature = "naga")]
 pub(super) fn three_webgpu(project: &Project, passes: &[WebGpuPass]) -> ScriptModule {
     // Serialisation fails only for maps with keys that are not strings, and for failing writers.
-    let data = escape(&serde_json::to_string(passes).unwrap_or_default());
-    let controls = escape(&serde_json::to_string(&project.controls).unwrap_or_default());
+    let data = escape_json(&serde_json::to_string(passes).unwrap_or_default());
+    let controls = escape_json(&serde_json::to_string(&project.controls).unwrap_or_default());
     let code = format!(
         "{}const PASSES = {data};\n\nconst CONTROLS = {controls};\n\n{}{FRAMES}{WEBGPU}",
         comment(project),
@@ -172,7 +173,7 @@ fn three_type(control: &UniformControl) -> String {
 }
 
 fn project_constant(project: &Project, composed: &Composed) -> String {
-    let data = escape(&payload(project, composed));
+    let data = escape_json(&payload(project, composed));
     format!("/** @type {{ProjectData}} */\nconst PROJECT = {data};\n\n")
 }
 
@@ -195,33 +196,9 @@ fn comment(project: &Project) -> String {
     }
 }
 
-/// Escapes JSON for use in an HTML element and in JavaScript.
-pub(super) fn escape(json: &str) -> String {
-    let mut out = String::with_capacity(json.len() + json.len() / 16);
-    let mut from = 0;
-    for (i, c) in json.char_indices() {
-        if matches!(c, '<' | '>' | '&' | '\u{2028}' | '\u{2029}') {
-            out.push_str(json.get(from..i).unwrap_or(""));
-            out.push_str(&format!("\\u{:04x}", c as u32));
-            from = i + c.len_utf8();
-        }
-    }
-    out.push_str(json.get(from..).unwrap_or(""));
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn json_stays_inside_its_element() {
-        let escaped = escape("\"</script><!--&\u{2028}é\"");
-        assert_eq!(
-            escaped,
-            "\"\\u003c/script\\u003e\\u003c!--\\u0026\\u2028é\""
-        );
-    }
 
     #[test]
     fn uniforms_of_the_user_have_types_and_ranges() {

@@ -1,5 +1,6 @@
 //! Positions of findings, and text that is safe to show in a terminal.
 
+use shaderlint_text::markup::escape;
 use shaderlint_text::{Position, Sources, Span};
 
 /// The start and end of a span in its file; `None` for a pass of an export, because its code is
@@ -40,6 +41,12 @@ pub(super) fn list(names: impl ExactSizeIterator<Item = String>, max: usize) -> 
 /// terminal could show other text. Replacements keep the length in bytes.
 pub(super) fn clean(text: &str) -> String {
     text.chars().map(clean_char).collect()
+}
+
+/// A text for an element or an attribute of XML, in which line breaks must be spelled out.
+pub(super) fn xml(text: &str) -> String {
+    let lines: Vec<String> = text.split('\n').map(clean).collect();
+    escape(&lines.join("\n")).replace('\n', "&#10;")
 }
 
 pub(super) fn clean_char(c: char) -> char {

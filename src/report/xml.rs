@@ -1,6 +1,6 @@
 //! Writes XML.
 
-use super::place::clean;
+use super::place::xml;
 use std::fmt::{self, Display};
 
 /// An element. It is shown on lines of its own, indented by the width of the format.
@@ -24,14 +24,14 @@ impl Element {
 
     /// Adds an attribute.
     pub fn with(mut self, name: &str, value: impl Display) -> Element {
-        let value = escape(&value.to_string());
+        let value = xml(&value.to_string());
         self.attributes.push_str(&format!(" {name}=\"{value}\""));
         self
     }
 
     /// Sets the text.
     pub fn text(mut self, text: &str) -> Element {
-        self.text = escape(text);
+        self.text = xml(text);
         self
     }
 
@@ -59,27 +59,4 @@ impl Display for Element {
         children.try_for_each(|child| write!(f, "{child:inner$}"))?;
         writeln!(f, "{:indent$}</{name}>", "")
     }
-}
-
-/// Escapes text for an element or an attribute.
-fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for (i, line) in text.split('\n').enumerate() {
-        if i > 0 {
-            out.push_str("&#10;");
-        }
-        for c in clean(line).chars() {
-            match c {
-                '&' => out.push_str("&amp;"),
-                '<' => out.push_str("&lt;"),
-                '>' => out.push_str("&gt;"),
-                '"' => out.push_str("&quot;"),
-                '\'' => out.push_str("&apos;"),
-                // Noncharacters that XML does not allow, even as character references.
-                '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
-                c => out.push(c),
-            }
-        }
-    }
-    out
 }

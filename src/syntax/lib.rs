@@ -4,6 +4,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 pub mod ast;
+mod conditional;
 mod foreign;
 mod language;
 mod lexer;
@@ -17,6 +18,10 @@ pub mod set;
 mod token;
 mod translation;
 
+pub use conditional::{
+    BranchId, ConditionalDirective, ConditionalGroup, ConditionalGroups, GroupBranch,
+    GroupDirective, MacroTest, MacroTestKind,
+};
 pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use language::{ES_100, ES_300, Feature, LanguageProfile};
 pub use lexer::{Lexer, tokenize, unsplice};

@@ -18,8 +18,14 @@ function nameAtCursor({ state }) {
   return word && { name: word[0], line: line.number };
 }
 
-/** A share in percent. @param {number} share */
-const percent = (share) => `${(100 * share).toPrecision(2)} %`;
+/** A share in percent, as the command line writes it. @param {number} share */
+function percent(share) {
+  const shown = 100 * share;
+  if (shown === 0 || shown === 100) return `${shown} %`;
+  if (shown < 0.01) return '< 0.01 %';
+  if (shown < 1) return `${shown.toFixed(2)} %`;
+  return `${Math.min(shown, 99.9).toFixed(1)} %`;
+}
 
 /** What a comparison found, in words. @param {any} facts */
 function differences({ same, moments, size: [width, height] }) {

@@ -1,6 +1,6 @@
 //! The project that contains a file, which limits what its shaders may include.
 
-use crate::engine::path::plain;
+use crate::text::path::plain;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};

@@ -7,6 +7,7 @@ use crate::dap::{Adapter, Launch, ProgramSource};
 use crate::diagnostic::Severity;
 use crate::play::Decode;
 use crate::port::Composed;
+use crate::text::path::slashed;
 use serde_json::Value;
 use std::io::{self, Write};
 use std::path::Path;
@@ -114,10 +115,7 @@ impl ProgramSource for DiskPrograms {
 
     fn path(&self, path: &str) -> String {
         let known = Path::new(path).canonicalize();
-        let path = known.map_or(path.to_string(), |known| {
-            known.to_string_lossy().into_owned()
-        });
-        path.replace('\\', "/")
+        known.map_or_else(|_| slashed(path), slashed)
     }
 }
 

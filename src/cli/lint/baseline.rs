@@ -10,6 +10,7 @@ use super::inputs::{CheckMode, Outcome, check_all};
 use crate::diagnostic::{Diagnostic, count};
 use crate::report::fingerprints;
 use crate::text::Sources;
+use crate::text::path::slashed;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, HashSet};
 use std::fs;
@@ -125,7 +126,7 @@ fn folder_of(baseline: &Path) -> PathBuf {
 fn named(folder: &Path, file: &str) -> String {
     let path = absolute(Path::new(file));
     let path = path.strip_prefix(folder).unwrap_or(&path);
-    path.to_string_lossy().replace('\\', "/")
+    slashed(path)
 }
 
 /// Writes the findings of all inputs to the baseline file. An existing baseline keeps its entries

@@ -14,6 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::engine::Offer;
 use crate::lint::Proof;
 use crate::report::{Format, Reporter, Summary};
+use crate::text::path::slashed;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -133,8 +134,7 @@ fn reporter(
         _ if prints_text => Box::new(io::stderr()),
         _ => Box::new(io::stdout().lock()),
     };
-    let here = std::env::current_dir().unwrap_or_default();
-    let here = here.to_string_lossy().replace('\\', "/");
+    let here = slashed(std::env::current_dir().unwrap_or_default());
     let out = BufWriter::with_capacity(1 << 16, out);
     let reporter = Reporter::new(format, out, args.color.is_on())
         .with_pages(rule_page)

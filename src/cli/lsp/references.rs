@@ -2,13 +2,14 @@
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::super::config::{LastGood, absolute};
-use super::super::port::{read_text, shown};
+use super::super::port::read_text;
 use super::pages::PageFiles;
 use super::workspace::DiskWorkspace;
 use crate::engine::Files;
 use crate::ide::{FileSpan, NameUse};
 use crate::lsp::{Session, name_uses, uri_of};
 use crate::text::LineIndex;
+use crate::text::path::slashed;
 use gen_lsp_types::Uri;
 use lsp_server::Notification;
 use serde_json::json;
@@ -48,7 +49,7 @@ pub fn references(args: &ReferencesArgs) -> io::Result<u8> {
     let groups: Vec<String> = found.iter().map(|uses| group(&session, uses)).collect();
     if groups.is_empty() {
         let line = args.line.map(|line| format!(" in line {line}"));
-        let (name, file) = (&args.name, shown(&args.file));
+        let (name, file) = (&args.name, slashed(&args.file));
         let line = line.unwrap_or_default();
         complain(&format!("{file}: no symbol is named `{name}`{line}"));
         return Ok(FINDINGS);
@@ -61,7 +62,7 @@ pub fn references(args: &ReferencesArgs) -> io::Result<u8> {
 
 /// The URI of the file.
 fn uri(args: &ReferencesArgs) -> Uri {
-    uri_of(&shown(&absolute(&args.file)))
+    uri_of(&slashed(&absolute(&args.file)))
 }
 
 /// A session in which a file is open.
@@ -152,7 +153,7 @@ fn group(session: &Session, uses: &Uses) -> String {
 fn relative(path: &str) -> String {
     let here = absolute(Path::new("."));
     let path = Path::new(path);
-    shown(path.strip_prefix(here).unwrap_or(path))
+    slashed(path.strip_prefix(here).unwrap_or(path))
 }
 
 /// How a name is used.

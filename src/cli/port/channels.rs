@@ -4,10 +4,11 @@
 //! the form of the part of `--channel` after the `=`. Paths are relative to the file's folder and
 //! must not leave it, since the user may not have written a downloaded file.
 
-use super::read::{read_text, shown};
+use super::read::read_text;
 use super::siblings::folder_of;
 use crate::port::{ChannelOrder, ChannelSource, PassRole};
 use crate::text::LineIndex;
+use crate::text::path::slashed;
 use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -69,7 +70,7 @@ fn of_file(path: &Path) -> Result<Vec<GivenOrder>, String> {
     let text = read_text(path)?;
     let at = |start: usize| {
         let position = LineIndex::new(&text).position(&text, start as u32);
-        format!("{}:{}:{}", shown(path), position.line, position.column)
+        format!("{}:{}:{}", slashed(path), position.line, position.column)
     };
     let table = DeTable::parse(&text).map_err(|e| {
         let message = e.message().lines().collect::<Vec<_>>().join("; ");
@@ -123,7 +124,7 @@ fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
             "`{file}` is outside of the folder; pass it with `--channel`"
         ));
     }
-    order.source = ChannelSource::File(shown(&path));
+    order.source = ChannelSource::File(slashed(&path));
     Ok(order)
 }
 

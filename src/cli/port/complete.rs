@@ -1,12 +1,13 @@
 //! Complete shaders, which are translated by naga as they are, whatever their uniforms mean.
 
 use super::args::PortArgs;
-use super::read::{read_text, shown};
+use super::read::read_text;
 use super::report::report;
 use super::save::OutputPlace;
 use crate::cli::command::{CLEAN, FINDINGS};
 use crate::port::{CompleteShaders, File, complete_shaders, translate_shaders};
 use crate::semantic::Stage;
+use crate::text::path::slashed;
 use std::path::PathBuf;
 
 /// The complete shaders that the arguments name; `None` if a target other than naga's is requested,
@@ -26,7 +27,7 @@ pub(super) fn load(args: &PortArgs) -> Result<Option<CompleteShaders>, String> {
             Some("frag" | "fs" | "fsh") => Some(Stage::Fragment),
             _ => None,
         };
-        files.push((shown(path), read_text(path)?, stage));
+        files.push((slashed(path), read_text(path)?, stage));
     }
     Ok(complete_shaders(files).filter(|all| !all.shaders.is_empty()))
 }

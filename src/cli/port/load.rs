@@ -3,7 +3,7 @@
 use super::args::PortArgs;
 use super::channels::{GivenOrder, file_of, orders};
 use super::media::{Carried, is_cube};
-use super::read::{plain_error, read_text, shown};
+use super::read::{plain_error, read_text};
 use super::siblings::{draft_with_siblings, folder_of};
 use crate::cli::config::{configured_host, host_of};
 use crate::detect::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
@@ -14,6 +14,7 @@ use crate::port::{
     add_stand_ins, saver_roles, unknown_pass, unknown_source,
 };
 use crate::semantic::Pass;
+use crate::text::path::slashed;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -48,7 +49,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         [] if args.pass.is_empty() => {
             return Err(USAGE.to_string());
         }
-        [one] if let Some(text) = &args.text => Drafted::of(export(&shown(one), text)?),
+        [one] if let Some(text) = &args.text => Drafted::of(export(&slashed(one), text)?),
         [one] if args.pass.is_empty() && !one.is_dir() => {
             one_file(one, mode, host(args.host.as_deref())?)?
         }
@@ -241,7 +242,7 @@ enum Mode {
 pub(super) fn name_of(args: &PortArgs) -> String {
     args.input
         .first()
-        .map_or("passes".to_string(), |path| shown(path))
+        .map_or("passes".to_string(), |path| slashed(path))
 }
 
 fn stem(path: &Path) -> String {
@@ -280,7 +281,7 @@ fn export(name: &str, text: &str) -> Result<Project, String> {
 }
 
 fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Drafted, String> {
-    let name = shown(path);
+    let name = slashed(path);
     let text = read_text(path)?;
     let wrong = |e: String| format!("{name}: {e}");
     if from.is_none() {
@@ -378,7 +379,7 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
                 format!(
                     "{}: the file name does not match a pass; rename it, for example to \
                      `image.glsl` or `buffer_a.glsl`, or use `--pass image=FILE`",
-                    shown(path)
+                    slashed(path)
                 )
             })?;
             files.push((role, path.clone()));
@@ -387,7 +388,7 @@ fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
     let parts = files
         .into_iter()
         .map(|(role, path)| {
-            let (file, text) = (shown(&path), read_text(&path)?);
+            let (file, text) = (slashed(&path), read_text(&path)?);
             reject_other_languages(&file, &text)?;
             Ok(PassFile {
                 role,
@@ -433,7 +434,7 @@ fn programs(paths: &[PathBuf]) -> Option<Vec<(PassRole, PathBuf)>> {
 /// The passes in a folder. Symbolic links that leave the folder are rejected, since the user may
 /// not have created a downloaded folder.
 pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
-    let wrong = |e: std::io::Error| format!("{}: {}", shown(folder), plain_error(&e));
+    let wrong = |e: std::io::Error| format!("{}: {}", slashed(folder), plain_error(&e));
     let root = folder.canonicalize().map_err(wrong)?;
     let mut found = Vec::new();
     let mut others = Vec::new();
@@ -444,8 +445,8 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
                 if !path.canonicalize().map_err(wrong)?.starts_with(&root) {
                     return Err(format!(
                         "{} is outside of {}; pass it with `--pass {}=FILE`",
-                        shown(&path),
-                        shown(folder),
+                        slashed(&path),
+                        slashed(folder),
                         role.name()
                     ));
                 }
@@ -467,12 +468,12 @@ pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)
         (false, _) => Ok(found),
         (true, other) => {
             let help = other.map_or(String::new(), |path| {
-                format!(", or pass a single file, such as {}", shown(path))
+                format!(", or pass a single file, such as {}", slashed(path))
             });
             Err(format!(
                 "{}: no pass found; name the files `image.glsl`, `buffer_a.glsl`, \
                  `common.glsl`{help}",
-                shown(folder)
+                slashed(folder)
             ))
         }
     }

@@ -1,9 +1,10 @@
 //! Media files for channels, embedded in the output.
 
-use super::read::{plain_error, read_media, shown, size_words};
+use super::read::{plain_error, read_media, size_words};
 use crate::port::{
     ChannelOrder, InputKind, Media, OutputId, Project, kind_of_bytes, kind_of_name, why_not,
 };
+use crate::text::path::slashed;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use std::path::{Path, PathBuf};
@@ -47,9 +48,11 @@ impl Carried {
         let total: u64 = self.files.iter().map(|(_, size)| size).sum();
         match &self.files[..] {
             [] => {}
-            [(path, size)] => {
-                notes.push(format!("embedded {} ({})", shown(path), size_words(*size)))
-            }
+            [(path, size)] => notes.push(format!(
+                "embedded {} ({})",
+                slashed(path),
+                size_words(*size)
+            )),
             all => notes.push(format!(
                 "embedded {} files ({})",
                 all.len(),
@@ -85,7 +88,7 @@ impl Carried {
 
     /// The kind of a file, and its content as a `data:` URL.
     fn face(&mut self, path: &Path) -> Result<(InputKind, String), String> {
-        let name = shown(path);
+        let name = slashed(path);
         let bytes = read_media(path, self.limit, self.advice)?;
         let (kind, media_type) =
             kind_of_bytes(&bytes).ok_or_else(|| format!("{name}: {}", why_not(&bytes)))?;
@@ -101,7 +104,7 @@ impl Carried {
     /// Finds the media files of an export in a copy of ShaderToy's files. Files outside of the
     /// folder are rejected.
     pub(super) fn find(&mut self, project: &mut Project, folder: &Path) -> Result<(), String> {
-        let wrong = |e| format!("{}: {}", shown(folder), plain_error(&e));
+        let wrong = |e| format!("{}: {}", slashed(folder), plain_error(&e));
         let root = folder.canonicalize().map_err(wrong)?;
         for input in project.passes.iter_mut().flat_map(|p| &mut p.inputs) {
             let is_drawn = input.kind == InputKind::Buffer || input.id == OutputId::CUBE;
@@ -115,7 +118,7 @@ impl Carried {
                 continue;
             };
             if !path.starts_with(&root) {
-                return Err(format!("`{}` is outside of {}", input.src, shown(folder)));
+                return Err(format!("`{}` is outside of {}", input.src, slashed(folder)));
             }
             if !path.is_file() {
                 continue;
@@ -132,7 +135,7 @@ impl Carried {
                 (input.name, input.urls) = (found.name, found.urls);
             } else {
                 let (kind, expected) = (found.kind.word(), input.kind.word());
-                let name = shown(&path);
+                let name = slashed(&path);
                 self.notes.push(format!(
                     "{name}: expected {expected}, found {kind}; skipped"
                 ));

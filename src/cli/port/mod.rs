@@ -18,7 +18,7 @@ mod watch;
 
 pub use args::PortArgs;
 pub(super) use load::{draft, in_folder, put_channels};
-pub(super) use read::{read_text, shown};
+pub(super) use read::read_text;
 pub(super) use save::save;
 
 use super::command::FAILED;

@@ -1,5 +1,6 @@
 //! Reads input files, with a size limit and a notice while waiting for a pipe.
 
+use crate::text::path::slashed;
 use crate::text::{Content, Encoding};
 use flate2::read::ZlibDecoder;
 use std::fs::{self, File};
@@ -20,14 +21,9 @@ const MIB: u64 = 1024 * 1024;
 /// How long a pipe or a terminal may be silent before a notice is printed.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// A path with forward slashes.
-pub(in crate::cli) fn shown(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
-}
-
 /// The text of a shader or an export; `-` is standard input.
 pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
-    let name = shown(path);
+    let name = slashed(path);
     let wrong = |e: String| format!("{name}: {e}");
     let bytes = match path.as_os_str() == "-" {
         true => wait_for("standard input", || Ok(io::stdin()))?,
@@ -58,7 +54,7 @@ pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
 /// The bytes of a regular file of at most `limit` bytes. `advice` is appended to the error for a
 /// larger file.
 pub(super) fn read_media(path: &Path, limit: u64, advice: &str) -> Result<Vec<u8>, String> {
-    let wrong = |e: String| format!("{}: {e}", shown(path));
+    let wrong = |e: String| format!("{}: {e}", slashed(path));
     let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
     if !data.is_file() {
         return Err(wrong("not a regular file".to_string()));

@@ -1,8 +1,9 @@
 //! Companion files that a shader refers to: includes, buffers and its vertex shader.
 
-use super::read::{read_text, shown};
+use super::read::read_text;
 use crate::cli::config::project_root;
 use crate::port::{Project, SiblingTexts};
+use crate::text::path::slashed;
 use std::path::{Path, PathBuf};
 
 /// The largest number of companion files.
@@ -25,7 +26,7 @@ pub(super) fn draft_with_siblings(
             return Ok(project);
         }
         read_requested(path, &project.requested, siblings)
-            .map_err(|e| format!("{}: {e}", shown(path)))?;
+            .map_err(|e| format!("{}: {e}", slashed(path)))?;
     }
 }
 

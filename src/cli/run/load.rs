@@ -8,6 +8,7 @@ use crate::diagnostic::Severity;
 use crate::engine::{Options, check};
 use crate::port::{Composed, add_stand_ins};
 use crate::report::{Format, Reporter};
+use crate::text::path::slashed;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -50,7 +51,7 @@ pub struct LoadedFiles {
 
 /// Loads a shader. Its errors are printed as the linter prints them.
 pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<LoadedFiles, Trouble> {
-    let name = port::shown(path);
+    let name = slashed(path);
     match read(path, args.host.as_deref(), &args.channel) {
         Ok(loaded) => Ok(loaded),
         Err(Undrawable::Errors(composed)) => {
@@ -74,7 +75,7 @@ pub fn read(
     from: Option<&str>,
     channels: &[String],
 ) -> Result<LoadedFiles, Undrawable> {
-    let name = port::shown(path);
+    let name = slashed(path);
     let wrong = |e| Undrawable::Words(format!("{name}: {e}"));
     let (mut project, mut read) = port::draft(path, from).map_err(Undrawable::Words)?;
     let composed = project.resolve(&name).map_err(wrong)?;

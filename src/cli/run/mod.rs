@@ -23,6 +23,7 @@ use crate::commands::run::{
 };
 use crate::port::File;
 use crate::report::Format;
+use crate::text::path::slashed;
 use args::RunFormat;
 use load::load;
 use std::io::{self, IsTerminal, Write};
@@ -156,7 +157,7 @@ fn compared(args: &RunArgs, both: [(&LoadedFiles, &mut Shot); 2]) -> Result<(Str
 
 /// The text of the file of uniforms.
 fn uniform_text(args: &RunArgs) -> Result<Option<(String, String)>, Trouble> {
-    let read = |path: &PathBuf| Ok((super::port::shown(path), super::port::read_text(path)?));
+    let read = |path: &PathBuf| Ok((slashed(path), super::port::read_text(path)?));
     args.uniforms.as_ref().map(read).transpose()
 }
 
@@ -198,7 +199,7 @@ fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<Str
         content,
     };
     save(&[file], overwrite, &read)?;
-    Ok(Some(super::port::shown(path)))
+    Ok(Some(slashed(path)))
 }
 
 /// The image as text for the terminal, if it was not written to a file.

@@ -2,8 +2,9 @@
 
 use super::args::RunArgs;
 use super::progress::Progress;
-use crate::commands::run::{Bitmap, Loaded, SheetFacts, Shot, font, frame, heat};
+use crate::commands::run::{Bitmap, Loaded, SheetFacts, Shot, font, frame};
 use crate::engine::inputs::Moment;
+use crate::text::number::short;
 
 /// Distance between two frames in pixels.
 const GAP: u32 = 4;
@@ -39,7 +40,7 @@ pub fn draw(
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&made.bitmap.shrunk(small), left, top);
         frames.push(made.facts);
-        let caption = format!("{} S", heat::short(moment.time));
+        let caption = format!("{} S", short(moment.time));
         font::write(
             &mut sheet,
             &caption,

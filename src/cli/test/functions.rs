@@ -3,13 +3,14 @@
 use super::outcome::{ConditionRow, CounterexampleRow, ParameterRow, TestRow, ValueRow};
 use super::shared::TestRun;
 use super::textures;
-use crate::commands::run::{percent, position, seconds};
+use crate::commands::run::position;
 use crate::engine::{Analysis, Report};
 use crate::exec::Texture;
 use crate::play::{
     Coverage, SeenCondition, Test, TestCase, TestFailure, TestProblem, TestSettings, TestSuite,
     TestVerdict, TextureMark, run_test, unusable_tests,
 };
+use crate::text::number::{percent, seconds};
 use crate::text::{FileId, Sources};
 use std::path::{Path, PathBuf};
 

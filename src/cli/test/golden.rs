@@ -2,16 +2,17 @@
 //! times.
 
 use super::super::output::{Overwrite, write};
-use super::super::port;
 use super::super::run::{Undrawable, decode, of_png, read, size_of, time_of};
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};
-use crate::commands::run::heat::{map, short};
-use crate::commands::run::{Bitmap, ObservedRays, Shot, ShotSetting, percent, seconds, shot};
+use crate::commands::run::heat::map;
+use crate::commands::run::{Bitmap, ObservedRays, Shot, ShotSetting, shot};
 use crate::engine::inputs::Moment;
 use crate::exec::Watch;
 use crate::play::RenderedImage;
+use crate::text::number::{percent, seconds, short};
+use crate::text::path::slashed;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -191,7 +192,7 @@ fn ready(project: &Path, size: [u32; 2], threads: usize) -> Result<Shot, String>
 }
 
 fn shown(path: &Path) -> String {
-    port::shown(path.strip_prefix(".").unwrap_or(path))
+    slashed(path.strip_prefix(".").unwrap_or(path))
 }
 
 impl Golden {

@@ -1,7 +1,7 @@
 //! Results of tests, for people and for programs.
 
 use super::difference::ImageDifference;
-use crate::commands::run::heat::short;
+use crate::text::number::short;
 use serde::Serialize;
 
 /// The result of one test. The JSON format may gain fields, but never loses any.

@@ -1,4 +1,4 @@
-//! Tables and numbers for people.
+//! Tables for people.
 
 /// Formats rows as lines. The first `words` columns are left-aligned, the others right-aligned.
 pub fn columns<const N: usize>(rows: &[[String; N]], words: usize) -> String {
@@ -22,21 +22,4 @@ pub fn columns<const N: usize>(rows: &[[String; N]], words: usize) -> String {
         text.push('\n');
     }
     text
-}
-
-/// Formats a time with up to three decimals.
-pub fn seconds(time: f64) -> String {
-    let text = format!("{time:.3}");
-    format!("{} s", text.trim_end_matches('0').trim_end_matches('.'))
-}
-
-/// Formats a share as a percentage. Shares above 0 are never shown as 0 %.
-pub fn percent(share: f64) -> String {
-    match share * 100.0 {
-        0.0 => "0 %".to_string(),
-        p if p < 0.01 => "under 0.01 %".to_string(),
-        p if p < 1.0 => format!("{p:.2} %"),
-        100.0 => "100 %".to_string(),
-        p => format!("{:.1} %", p.min(99.9)),
-    }
 }

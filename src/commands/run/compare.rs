@@ -1,7 +1,6 @@
 //! Compares two shaders bit for bit in the same frames.
 
 use super::bitmap::Bitmap;
-use super::columns::{percent, seconds};
 use super::facts::{self, MouseFacts};
 use super::heat;
 use super::shot::Shot;
@@ -9,6 +8,7 @@ use serde::Serialize;
 use shaderlint_engine::inputs::{Button, Moment, Mouse};
 use shaderlint_exec::{Bytecode, Drawn};
 use shaderlint_play::RenderedImage;
+use shaderlint_text::number::{percent, seconds, short};
 
 /// Times in seconds that are compared by default.
 const TIMES: [f64; 4] = [0.0, 1.0, 5.0, 20.0];
@@ -185,7 +185,7 @@ impl Compared {
                 seconds(moment.time),
                 moment.pixels,
                 moment.shown,
-                heat::short(moment.most),
+                short(moment.most),
             ));
         }
         if let Some(output) = &self.output {

@@ -1,6 +1,5 @@
 //! The distance fields that rays march along: where they are steeper than a distance.
 
-use super::columns::seconds;
 use super::place::position;
 use super::shot::{Loaded, Shot};
 use serde::Serialize;
@@ -8,6 +7,7 @@ use shaderlint_flow::DistanceField;
 use shaderlint_lint::Facts;
 use shaderlint_play::{Steepest, steepest};
 use shaderlint_semantic::Program;
+use shaderlint_text::number::seconds;
 
 /// Number of planes over which the steepest place is searched, per time.
 const PLANES: u32 = 40;

@@ -1,10 +1,11 @@
 //! The cost of each function.
 
-use super::columns::{columns, percent};
+use super::columns::columns;
 use super::place::position;
 use serde::Serialize;
 use shaderlint_exec::{FunctionObservation, Observations};
 use shaderlint_semantic::Program;
+use shaderlint_text::number::percent;
 
 /// A function and its share of the cost.
 #[derive(Clone, PartialEq, Debug, Serialize)]

@@ -2,6 +2,7 @@
 
 use super::bitmap::Bitmap;
 use super::font;
+use shaderlint_text::number::short;
 
 /// Colours from the smallest to the largest value, dark to bright.
 const RAMP: [[u8; 3]; 6] = [
@@ -131,18 +132,6 @@ fn with_legend(
         TEXT,
     );
     framed
-}
-
-/// Formats a number in about four digits.
-pub fn short(number: f64) -> String {
-    match number.abs() {
-        n if n >= 1e7 => format!("{:.0}M", number / 1e6),
-        n if n >= 1e4 => format!("{:.0}K", number / 1e3),
-        n if n == n.trunc() => format!("{number:.0}"),
-        n if n >= 10.0 => format!("{number:.1}"),
-        n if n >= 0.01 => format!("{number:.3}"),
-        _ => format!("{number:.6}"),
-    }
 }
 
 #[cfg(test)]

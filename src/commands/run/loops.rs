@@ -1,6 +1,6 @@
 //! Loop iterations that were counted, next to the bounds that were proved.
 
-use super::columns::{columns, percent};
+use super::columns::columns;
 use super::place::{position, span};
 use super::shot::Shot;
 use serde::Serialize;
@@ -9,6 +9,7 @@ use shaderlint_flow::Bound;
 use shaderlint_ir::Provenance;
 use shaderlint_lint::Facts;
 use shaderlint_semantic::Program;
+use shaderlint_text::number::percent;
 
 /// A loop and its number of iterations.
 #[derive(Clone, PartialEq, Debug, Serialize)]

@@ -22,7 +22,6 @@ mod uniforms;
 mod variant;
 
 pub use bitmap::Bitmap;
-pub use columns::{percent, seconds};
 pub use compare::{Compared, compare, compared_moments};
 pub use facts::{RunFacts, SheetFacts};
 pub use frame::{Frame, frame};

@@ -1,8 +1,6 @@
 //! Rays that step over a surface, by marching loop.
 
-use super::columns::percent;
 use super::place::{position, span};
-use super::scalars::decimal;
 use super::setting::{ObservedRays, ShotSetting};
 use super::shot::{Loaded, Shot, shot};
 use serde::Serialize;
@@ -14,7 +12,7 @@ use shaderlint_lint::march::{
     March, MarchSample, RayOutcome, StepLength, are_clearly_fewer, factor_length, largest_factor,
     longer_factors, ray_probe, step_factor,
 };
-use shaderlint_lint::sample::rounded;
+use shaderlint_text::number::{decimals, percent, shortest_decimal};
 
 /// Most quads that are sampled.
 const MOST_QUADS: usize = 2048;
@@ -103,7 +101,7 @@ fn row(
     let mut missed = pairs.filter_map(|((real, (short, shortest)), pixel)| {
         real.steps_over([short, shortest]).then_some(MissedPoint {
             pixel: *pixel,
-            point: shortest.point.map(|point| point.map(decimal)),
+            point: shortest.point.map(|point| point.map(shortest_decimal)),
         })
     });
     let first = missed.next();
@@ -117,7 +115,7 @@ fn row(
         rays: rays as u64,
         stepped_over: count as f64 / rays.max(1) as f64,
         first,
-        slope: decimal(slope),
+        slope: shortest_decimal(slope),
         longer: longer((loaded, facts), (setting, moment), march, &quads),
     })
 }
@@ -144,9 +142,9 @@ fn longer(
     let larger = largest_factor(&longer_factors(factor), keeps)?;
     let iterations = [per_ray(&before), per_ray(&with(larger)?)];
     are_clearly_fewer(iterations).then(|| LongerRow {
-        factor: decimal(factor as f32),
-        larger: decimal(larger as f32),
-        iterations: iterations.map(|n| decimal(n as f32)),
+        factor: shortest_decimal(factor as f32),
+        larger: shortest_decimal(larger as f32),
+        iterations: iterations.map(|n| shortest_decimal(n as f32)),
     })
 }
 
@@ -178,7 +176,7 @@ pub fn lines(rows: &[RayRow]) -> String {
             point,
         } = row.first?;
         let place = point.map_or(String::new(), |point| {
-            let numbers = point.map(|n| rounded((n * 1e3).round() / 1e3));
+            let numbers = point.map(|n| decimals(n, 3));
             format!(", at ({})", numbers.join(", "))
         });
         let share = percent(row.stepped_over);
@@ -189,7 +187,7 @@ pub fn lines(rows: &[RayRow]) -> String {
     });
     let short = rows.iter().filter_map(|row| {
         let longer = row.longer?;
-        let times = rounded((longer.larger / longer.factor * 10.0).round() / 10.0);
+        let times = decimals(longer.larger / longer.factor, 1);
         let [before, after] = longer.iterations.map(f64::round);
         Some(format!(
             "  {}: steps could be {times} times as long: {after} instead of {before} iterations per ray\n",

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use shaderlint_semantic::{Program, Scalar, Type};
+use shaderlint_text::number::shortest_decimal;
 
 /// A scalar of a value.
 #[derive(Clone, PartialEq, Debug, Serialize)]
@@ -28,7 +29,7 @@ impl TracedScalar {
                 n if n.is_nan() => TracedScalar::NotFinite("NaN"),
                 f32::INFINITY => TracedScalar::NotFinite("inf"),
                 f32::NEG_INFINITY => TracedScalar::NotFinite("-inf"),
-                n => TracedScalar::Number(decimal(n)),
+                n => TracedScalar::Number(shortest_decimal(n)),
             },
         }
     }
@@ -44,11 +45,6 @@ impl TracedScalar {
             TracedScalar::Truth(truth) => truth.to_string(),
         }
     }
-}
-
-/// The shortest decimal number that is this `float`.
-pub fn decimal(n: f32) -> f64 {
-    n.to_string().parse().unwrap_or(f64::from(n))
 }
 
 /// The scalars of a value of this type, as many as there are bits.

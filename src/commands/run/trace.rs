@@ -1,6 +1,6 @@
 //! Traces a pixel: what it wrote, passed and returned, step by step.
 
-use super::columns::{columns, seconds};
+use super::columns::columns;
 use super::facts::{self, MouseFacts};
 use super::loops::{self, LoopRow};
 use super::numbers::{self, NumberRow};
@@ -15,6 +15,7 @@ use shaderlint_exec::{OutputSlot, PixelTrace, TraceSite, TracedValue};
 use shaderlint_ir::{Module, Provenance};
 use shaderlint_semantic::{FunctionRef, Program};
 use shaderlint_text::Span;
+use shaderlint_text::number::seconds;
 use std::sync::Arc;
 
 /// Maximum number of steps that are recorded.

@@ -6,6 +6,7 @@
 use super::embedded::{Embedded, Wrapping};
 use super::tag::{attribute, tag_length};
 use crate::kind::Scanned;
+use shaderlint_text::markup;
 
 /// Finds the shaders. `lower` is the text in lower case.
 pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) {
@@ -167,20 +168,11 @@ fn entity(rest: &str) -> Option<(char, usize)> {
     let inner = rest.strip_prefix('&')?;
     let end = inner.bytes().take(8).position(|b| b == b';')?;
     let name = inner.get(..end)?;
-    let number = name.strip_prefix('#').and_then(|n| {
-        let hex = n.strip_prefix(['x', 'X']);
-        hex.map_or(n.parse().ok(), |h| u8::from_str_radix(h, 16).ok())
-    });
-    let c = match name {
-        "lt" => '<',
-        "gt" => '>',
-        "amp" => '&',
-        "quot" => '"',
-        "apos" => '\'',
-        "nbsp" => ' ',
-        _ => char::from(number.filter(u8::is_ascii)?),
+    let c = match markup::entity(name)? {
+        '\u{a0}' => ' ',
+        c => c,
     };
-    Some((c, end + 2))
+    c.is_ascii().then_some((c, end + 2))
 }
 
 #[cfg(test)]

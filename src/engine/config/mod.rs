@@ -9,12 +9,12 @@ pub use layer::{Adjustment, Config, Layer};
 pub use read::{ConfigError, parse, schema};
 
 use super::options::{DialectChoice, Options};
-use super::path::plain;
 use shaderlint_format::StyleChoice;
 use shaderlint_host::Preset;
 use shaderlint_lint::sample::SampleLimit;
 use shaderlint_lint::{Infos, Settings, UnknownRule};
 use shaderlint_rules::RULES;
+use shaderlint_text::path::plain;
 use std::sync::Arc;
 
 /// The formatting style for a configuration and some of its overrides, given by index, with

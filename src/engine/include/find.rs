@@ -3,8 +3,8 @@
 use super::super::check_context::CheckContext;
 use super::super::files::{FileType, Files};
 use super::super::options::Includes;
-use super::super::path::{plain, tidy};
 use super::scan::{IncludedFile, Manner, RequestedFile};
+use shaderlint_text::path::{plain, slashed, tidy};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -76,7 +76,7 @@ impl CheckContext<'_> {
             looked_in: Vec::new(),
             why: Absence::NotFound,
         };
-        let named = requested.path.replace('\\', "/");
+        let named = slashed(&requested.path);
         // Bundlers accept a query after the path.
         let named = named.split('?').next().unwrap_or("");
         for (folder, rest) in self.places(from, named) {
@@ -137,7 +137,7 @@ impl CheckContext<'_> {
         }
         let file = self.options.file_cache.text(self.files, &real);
         Ok(FoundFile {
-            name: path.to_string_lossy().replace('\\', "/"),
+            name: slashed(path),
             folder: PathBuf::new(),
             file: file.ok_or(Absence::NotFound)?,
             real,
@@ -152,7 +152,7 @@ pub fn is_of_package(path: &Path) -> bool {
 }
 
 fn shown(folder: &Path) -> String {
-    let text = folder.to_string_lossy().replace('\\', "/");
+    let text = slashed(folder);
     if text.is_empty() { ".".into() } else { text }
 }
 

@@ -14,12 +14,12 @@ pub use find::Absence;
 pub use moved::{FileMoves, moved_includes};
 
 use super::check_context::CheckContext;
-use super::path::tidy;
 use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
 use scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_host::is_provided;
+use shaderlint_text::path::{slashed, tidy};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
@@ -145,7 +145,7 @@ pub(super) fn spread(
         Some(own) => {
             let directives = &own.scan.directives;
             spreader.modules.expect(name, context, directives);
-            let name = tidy(Path::new(name)).to_string_lossy().replace('\\', "/");
+            let name = slashed(tidy(Path::new(name)));
             let real = context.files.real(Path::new(&name));
             let real = real.unwrap_or_else(|| PathBuf::from(&name));
             spreader.open(name, real, file, own);

@@ -3,13 +3,13 @@
 use super::super::check_context::CheckContext;
 use super::super::files::{FileType, Files};
 use super::super::options::Options;
-use super::super::path::{plain, tidy};
 use super::find::EXTENSIONS;
 use super::scan::scan;
 use shaderlint_detect::embed::{DocumentLanguage, extract_named, strings};
 use shaderlint_detect::kind::file_extension;
+use shaderlint_text::path::{plain, relative, slashed, tidy};
 use shaderlint_text::{Edit, Span};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// Files and folders that are moved.
 pub struct FileMoves(Vec<(PathBuf, PathBuf)>);
@@ -123,7 +123,7 @@ impl MovedFile<'_> {
         let new = match shown.strip_prefix(folder) {
             Ok(inside) if !is_relative => {
                 let lead = named.get(..named.len() - rest.len()).unwrap_or("");
-                format!("{lead}{}", slashes(inside))
+                format!("{lead}{}", slashed(inside))
             }
             _ => match named.starts_with('.') || !is_relative {
                 true => dotted(beside()?),
@@ -161,21 +161,4 @@ fn dotted(path: String) -> String {
         true => path,
         false => format!("./{path}"),
     }
-}
-
-fn slashes(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
-}
-
-/// The path from a folder to a file; `None` if both are the same.
-fn relative(folder: &Path, file: &Path) -> Option<String> {
-    let same = folder.components().zip(file.components());
-    let common = same.take_while(|(a, b)| a == b).count();
-    let up = folder
-        .components()
-        .skip(common)
-        .map(|_| Component::ParentDir);
-    let path: PathBuf = up.chain(file.components().skip(common)).collect();
-    let path = slashes(&path);
-    (!path.is_empty()).then_some(path)
 }

@@ -1,5 +1,6 @@
 //! Intervals of numbers, and interval arithmetic.
 
+use shaderlint_text::number::significant;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -751,20 +752,9 @@ impl Interval {
     }
 }
 
-/// Writes a number as a GLSL float with four significant digits.
+/// Writes a number with four significant digits.
 fn number(value: f64, f: &mut fmt::Formatter) -> fmt::Result {
-    if value == 0.0 || value.abs() < 1e-30 {
-        return f.write_str("0.0");
-    }
-    let digits = 3 - value.abs().log10().floor() as i32;
-    if !(-8..=8).contains(&digits) {
-        let number = format!("{value:.3e}");
-        let (digits, exponent) = number.split_once('e').unwrap_or((&number, "0"));
-        let digits: f64 = digits.parse().unwrap_or(value);
-        return write!(f, "{digits:?}e{exponent}");
-    }
-    let scale = 10f64.powi(digits);
-    write!(f, "{:?}", (value * scale).round() / scale)
+    f.write_str(&significant(value, 4))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use super::proposal::{ProposedRefactoring, RefactorKind, RequiredProof};
 use crate::preview::preview_project;
 use shaderlint_port::{ControlKind, UniformControl, declared_control};
 use shaderlint_semantic::Value;
+use shaderlint_text::number::shortest_decimal;
 use shaderlint_text::{Edit, Span};
 
 pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
@@ -25,7 +26,7 @@ fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
         high,
     } = number(place)?;
     let (kind, ty, value) = match value {
-        Value::Float(value) => (ControlKind::Float, "float", decimal(value)?),
+        Value::Float(value) => (ControlKind::Float, "float", shortest_decimal(value)),
         Value::Int(value) => (ControlKind::Int, "int", f64::from(value)),
         _ => return None,
     };
@@ -46,9 +47,4 @@ fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
         evidence: RequiredProof::SameWithValue(as_constant, control),
         ..ProposedRefactoring::new(RefactorKind::Rewrite, title, edits).named(name)
     })
-}
-
-/// The shortest decimal number that is this float.
-fn decimal(value: f32) -> Option<f64> {
-    value.to_string().parse().ok()
 }

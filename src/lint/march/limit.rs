@@ -1,12 +1,13 @@
 //! Edits of the limit of a marching loop.
 
 use super::March;
-use super::step_edit::literal;
+use super::step_edit::DIGITS;
 use crate::facts::Facts;
 use shaderlint_flow::RayKind;
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 use shaderlint_syntax::{Macro, MacroId, TokenKind};
+use shaderlint_text::number::significant;
 use shaderlint_text::{Edit, Span};
 
 /// The edit that multiplies the literal limit of a loop, or the macro or constant that the limit is, if
@@ -33,7 +34,7 @@ fn raised(program: &Program, value: ExprId, times: u32) -> Option<String> {
     Some(match program.tree.expr(value).kind {
         ExprKind::Int(n) => n.checked_mul(i32::try_from(times).ok()?)?.to_string(),
         ExprKind::Uint(n) => format!("{}u", n.checked_mul(times)?),
-        ExprKind::Float(n) => literal(f64::from(n) * f64::from(times)),
+        ExprKind::Float(n) => significant(f64::from(n) * f64::from(times), DIGITS),
         _ => return None,
     })
 }

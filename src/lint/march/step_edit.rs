@@ -5,10 +5,11 @@ use crate::facts::Facts;
 use shaderlint_ir::Provenance;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind, UnaryOp};
+use shaderlint_text::number::significant;
 use shaderlint_text::{Edit, Span};
 
 /// Significant digits of a factor.
-const DIGITS: i32 = 4;
+pub(super) const DIGITS: i32 = 4;
 
 /// The edits that multiply the steps of a loop; `None` where the text of a step comes from a macro.
 pub fn step_edits(facts: &Facts, march: &March, factor: f64) -> Option<Vec<Edit>> {
@@ -46,7 +47,7 @@ pub fn factor_edits(facts: &Facts, march: &March, [from, to]: [f64; 2]) -> Optio
             false => factor.value * to / from,
         };
         let span = program.expr_span(factor.expr);
-        let text = literal(value);
+        let text = significant(value, DIGITS);
         Some(match factor.rest.filter(|_| text == "1.0") {
             Some(rest) => {
                 let rest = program.expr_span(rest);
@@ -82,11 +83,11 @@ fn step_terms(facts: &Facts, march: &March) -> Option<Vec<ExprId>> {
 /// The edit that multiplies an expression: a literal factor changes, or there is a new one.
 fn multiplied(program: &Program, expr: ExprId, factor: f64) -> Option<Edit> {
     if let Some((known, value)) = literal_factor(program, expr) {
-        let text = literal(value * factor);
+        let text = significant(value * factor, DIGITS);
         return Some(Edit::replace(program.expr_span(known), text));
     }
     let span = program.expr_span(expr);
-    let (text, factor) = (program.expr_text(expr), literal(factor));
+    let (text, factor) = (program.expr_text(expr), significant(factor, DIGITS));
     let is_product = match program.tree.expr(expr).kind {
         ExprKind::Binary(op, ..) => matches!(op, BinaryOp::Mul | BinaryOp::Div),
         ExprKind::Ternary(..) | ExprKind::Comma(..) | ExprKind::Assign(..) => false,
@@ -142,15 +143,4 @@ fn factors(program: &Program, expr: ExprId) -> Vec<LiteralFactor> {
         }
     }
     found
-}
-
-/// A float literal with a few significant digits.
-pub(super) fn literal(value: f64) -> String {
-    let digits = DIGITS - 1 - value.abs().log10().floor() as i32;
-    let scale = 10_f64.powi(digits.clamp(0, 12));
-    let text = ((value * scale).round() / scale).to_string();
-    match text.contains('.') {
-        true => text,
-        false => format!("{text}.0"),
-    }
 }

@@ -9,6 +9,7 @@ use shaderlint_exec::{CompileOptions, FaultKind, NumberObservation, Watch};
 use shaderlint_flow::backward_slice;
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::builtins::Transfer;
+use shaderlint_text::number::{decimals, rounded_percent};
 
 /// A pixel with an invalid colour, and the operation that caused it.
 #[derive(Clone, PartialEq, Debug)]
@@ -97,7 +98,7 @@ impl Culprit {
             .number
             .as_ref()
             .map_or(&[][..], |n| &n.witness.operands);
-        let numbers: Vec<String> = operands.iter().map(|n| rounded(*n)).collect();
+        let numbers: Vec<String> = operands.iter().map(|n| decimals(*n, 6)).collect();
         let of = match numbers.as_slice() {
             [] => String::new(),
             numbers => format!(", with operands {}", numbers.join(" and ")),
@@ -121,32 +122,13 @@ pub fn report_broken(cx: &mut Context, kind: FaultKind, is_broken: fn(f32) -> bo
         .facts
         .sample_run()
         .map_or(String::new(), SampleRun::sampled_note);
-    let message = format!("{} of the pixels are {what}", percent(culprit.share));
+    let message = format!(
+        "{} of the pixels are {what}",
+        rounded_percent(culprit.share)
+    );
     let finding = match op {
         Some(op) => cx.report_op(op, message).mark("first occurs here"),
         None => cx.report_image(message),
     };
     finding.note(culprit.evidence_note()).note(note);
-}
-
-/// A number with up to six digits after the point.
-pub fn rounded(number: f64) -> String {
-    let number = format!("{number:.6}");
-    match number.contains('.') {
-        true => number
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_string(),
-        false => number,
-    }
-}
-
-/// A share in percent, rounded for a message.
-pub fn percent(share: f64) -> String {
-    match share * 100.0 {
-        p if p < 0.01 => "less than 0.01 %".to_string(),
-        p if p < 1.0 => format!("{p:.2} %"),
-        p if p < 10.0 => format!("{p:.1} %"),
-        p => format!("{p:.0} %"),
-    }
 }

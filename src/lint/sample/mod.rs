@@ -20,10 +20,9 @@ use shaderlint_semantic::{Dialect, Pass, Program, VariableId};
 use std::cell::{Cell, OnceCell, RefCell};
 
 pub use bench::{Bench, Round, SIZE, SampleLimit, colors};
-pub use culprit::{Culprit, percent, report_broken, rounded};
+pub use culprit::{Culprit, report_broken};
 pub use more_iterations::is_apart;
 pub use pixels::{SampledPixel, is_too_bright, luminance, share};
-pub use shaderlint_diagnostic::grouped;
 pub use verdict::{OFTEN, UnreportedFault, Verdict};
 
 use shaderlint_exec::{Bytecode, Draw};
@@ -174,7 +173,7 @@ impl SampleRun {
             other => other.join(", "),
         };
         let [width, height] = SIZE;
-        let pixels = grouped(self.pixels);
+        let pixels = shaderlint_text::number::grouped(self.pixels);
         format!("sampled {pixels} pixels of a {width}x{height} frame at {times} s")
     }
 }

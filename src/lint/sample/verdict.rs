@@ -1,10 +1,11 @@
 //! Evidence from a sample run for findings of the static analysis.
 
-use super::{Round, SampleRun, grouped, percent};
+use super::{Round, SampleRun};
 use crate::facts::Facts;
 use shaderlint_exec::{FaultKind, LoopObservation, NumberObservation, Observations};
 use shaderlint_ir::OpId;
 use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::number::{grouped, rounded_percent};
 
 /// Evidence from a sample run for a finding.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -96,7 +97,7 @@ impl Facts<'_> {
             0 => "no pixel reached the limit".to_string(),
             n => format!(
                 "{} of the pixels in the loop reached the limit",
-                percent(n as f64 / seen.pixels.max(1) as f64)
+                rounded_percent(n as f64 / seen.pixels.max(1) as f64)
             ),
         };
         Some(format!(

@@ -12,6 +12,7 @@ use crate::workspace::SampleRuns;
 use gen_lsp_types::*;
 use shaderlint_engine::{self as engine, Files};
 use shaderlint_ide::{self as ide, ActionKind, Document};
+use shaderlint_text::path::slashed;
 use shaderlint_text::{Edit, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
@@ -229,7 +230,7 @@ pub fn move_files(snapshot: &Snapshot, params: RenameFilesParams) -> Answer<Opti
     let moves = engine::FileMoves::new(pairs);
     let mut changes = HashMap::new();
     for (file, text) in files {
-        let name = file.to_string_lossy().replace('\\', "/");
+        let name = slashed(&file);
         let Some(options) = snapshot.workspace().options(&file, SampleRuns::Off) else {
             continue;
         };

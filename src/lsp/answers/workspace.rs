@@ -8,6 +8,7 @@ use crate::workspace::SampleRuns;
 use gen_lsp_types::*;
 use shaderlint_engine::Files;
 use shaderlint_ide::{self as ide, Document};
+use shaderlint_text::path::slashed;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -43,7 +44,7 @@ pub fn document_at(snapshot: &Snapshot, path: &Path) -> Option<Arc<Document>> {
     }
     let text = snapshot.files.load(path).ok()?;
     let options = snapshot.workspace().options(path, SampleRuns::Off)?;
-    let name = path.to_string_lossy().replace('\\', "/");
+    let name = slashed(path);
     Some(Arc::new(Document::new(
         &name,
         text,

@@ -54,12 +54,7 @@ impl ValueInterval {
 
     /// A value as GLSL.
     pub fn written(&self, number: f64) -> String {
-        match self.scalar {
-            Scalar::Float => format!("{:?}", number as f32),
-            Scalar::Int => format!("{}", number as i32),
-            Scalar::Uint => format!("{}u", number as u32),
-            Scalar::Bool => (number != 0.0).to_string(),
-        }
+        self.scalar.literal(self.bits(number))
     }
 
     /// Simpler values than this one, the simplest first: with fewer decimals, or nearer to zero.

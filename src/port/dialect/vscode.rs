@@ -14,6 +14,7 @@ use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, k
 use shaderlint_host::{OWN, matches_any, preset, shadertoy};
 use shaderlint_semantic::Pass;
 use shaderlint_text::TextPiece;
+use shaderlint_text::path::slashed;
 
 /// The name of its preset.
 const HOST: &str = "vscode-shader-toy";
@@ -391,7 +392,7 @@ impl ChannelComment {
     fn set(&mut self, rest: &str) {
         let value = quoted(rest).unwrap_or("");
         let Some(setting) = rest.trim_start().strip_prefix("::") else {
-            self.source = value.replace('\\', "/");
+            self.source = slashed(value);
             return;
         };
         let filter = match value {
@@ -422,7 +423,7 @@ pub(super) fn quoted(text: &str) -> Option<&str> {
 
 /// Joins a path to a folder, without `.` and with as few `..` as possible.
 pub(super) fn joined(folder: &str, path: &str) -> String {
-    let path = path.replace('\\', "/");
+    let path = slashed(path);
     let mut parts: Vec<&str> = Vec::new();
     for part in folder.split('/').chain(path.split('/')) {
         match part {

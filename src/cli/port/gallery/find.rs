@@ -1,10 +1,11 @@
 //! Finds the shaders of a gallery, and names their pages.
 
 use crate::cli::port::load::in_folder;
-use crate::cli::port::read::{plain_error, read_text, shown};
+use crate::cli::port::read::{plain_error, read_text};
 use crate::cli::port::save::file_name;
 use crate::detect::kind::{Claim, FileKind, decide};
 use crate::port::{PassRole, exports_in};
+use crate::text::path::slashed;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -68,7 +69,7 @@ fn split(root: &Path, path: PathBuf) -> Result<Vec<GallerySource>, String> {
     };
     let name = match within.as_os_str().is_empty() {
         true => title(root),
-        false => shown(&within),
+        false => slashed(&within),
     };
     Ok(vec![GallerySource {
         name: file_name(&name),
@@ -83,10 +84,10 @@ fn named(found: Vec<GallerySource>) -> Result<Vec<GallerySource>, String> {
     for source in found {
         // Some file systems do not distinguish upper and lower case.
         let key = source.name.to_lowercase();
-        let (name, path) = (source.name.clone(), shown(&source.path));
+        let (name, path) = (source.name.clone(), slashed(&source.path));
         let other = match key.as_str() {
             INDEX => Some("the gallery".to_string()),
-            _ => names.insert(key, source).map(|other| shown(&other.path)),
+            _ => names.insert(key, source).map(|other| slashed(&other.path)),
         };
         match other {
             Some(other) if other == path => {
@@ -128,7 +129,7 @@ fn find(
         found.push(folder.to_path_buf());
         return Ok(());
     }
-    let wrong = |e: io::Error| format!("{}: {}", shown(folder), plain_error(&e));
+    let wrong = |e: io::Error| format!("{}: {}", slashed(folder), plain_error(&e));
     let entries: io::Result<Vec<_>> = fs::read_dir(folder).map_err(wrong)?.collect();
     let mut entries = entries.map_err(wrong)?;
     entries.sort_by_key(fs::DirEntry::file_name);
@@ -162,7 +163,7 @@ fn is_shader(path: &Path) -> bool {
     if !partner.is_empty() && path.with_extension(partner).is_file() {
         return false;
     }
-    match decide(&shown(path), "", Claim::None).kind {
+    match decide(&slashed(path), "", Claim::None).kind {
         FileKind::Shader => true,
         FileKind::Export => read_text(path).is_ok_and(|text| text.contains("\"renderpass\"")),
         _ => false,

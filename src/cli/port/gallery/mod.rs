@@ -7,7 +7,6 @@ pub(super) use batch::gallery_of;
 
 use super::args::{GalleryArgs, PortArgs};
 use super::load::{LoadedProject, load};
-use super::read::shown;
 use super::report::print_note;
 use super::save::{already_exists, save};
 use super::still::still;
@@ -20,6 +19,7 @@ use crate::diagnostic::Severity;
 use crate::port::{
     Composed, File, Gallery, GalleryEntry, PageAddress, Poster, embed, gallery, still_file,
 };
+use crate::text::path::slashed;
 use find::{GallerySource, INDEX, sources, title};
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -36,7 +36,7 @@ const PLAYER: [&str; 2] = ["player.js", "player.css"];
 pub(super) fn run(args: &GalleryArgs) -> Result<u8, String> {
     for input in &args.input {
         if !input.exists() {
-            return Err(format!("{}: no such file or folder", shown(input)));
+            return Err(format!("{}: no such file or folder", slashed(input)));
         }
     }
     let index = args.output.join(format!("{INDEX}.html"));
@@ -92,7 +92,7 @@ impl MadeGallery {
     fn update(&mut self, args: &GalleryArgs, overwrite: Overwrite) -> Result<u8, String> {
         let sources = sources(&args.input, &args.output)?;
         if sources.is_empty() {
-            let places: Vec<_> = args.input.iter().map(|path| shown(path)).collect();
+            let places: Vec<_> = args.input.iter().map(|path| slashed(path)).collect();
             return Err(format!("{}: no shader found", places.join(", ")));
         }
         let mut before = std::mem::take(&mut self.pages);
@@ -249,7 +249,7 @@ impl GalleryPage {
         }
         let drawn = still(&project, &composed);
         let note = drawn.as_ref().err().map(|why| {
-            let path = shown(&source.path);
+            let path = slashed(&source.path);
             format!("{path} has no still image: {why}")
         });
         let name = &source.name;

@@ -2,6 +2,7 @@
 
 use super::*;
 use shaderlint_diagnostic::error;
+use shaderlint_text::markup;
 
 /// Longest name of an entity.
 const MAX_LENGTH: usize = 8;
@@ -84,27 +85,11 @@ fn plain(entity: &str) -> Option<char> {
     if name.is_empty() {
         return entity.starts_with(TWICE).then_some('&');
     }
-    if let Some(digits) = name.strip_prefix('#') {
-        let code = match digits.strip_prefix(['x', 'X']) {
-            Some(hex) => u32::from_str_radix(hex, 16).ok()?,
-            None => digits.parse().ok()?,
-        };
-        let c = char::from_u32(code)?;
-        return Some(if c == '\u{a0}' { ' ' } else { c });
-    }
-    Some(match name {
-        "lt" => '<',
-        "gt" => '>',
-        "amp" => '&',
-        "quot" => '"',
-        "apos" => '\'',
-        "nbsp" => ' ',
-        "times" => '*',
-        "minus" => '-',
-        "sol" => '/',
-        "ast" => '*',
-        "num" => '#',
-        _ => return None,
+    Some(match markup::entity(name)? {
+        '\u{a0}' => ' ',
+        '×' => '*',
+        '\u{2212}' => '-',
+        c => c,
     })
 }
 
