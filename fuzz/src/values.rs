@@ -38,7 +38,7 @@ pub fn print(file: &str) {
 /// Draws one pixel of a case, as `shaderlint run` does.
 fn is_white(case: &Value) -> Result<(), String> {
     let source = case["source"].as_str().ok_or("no source")?;
-    let project = Project::from_shader("case", source).map_err(|e| e.to_string())?;
+    let mut project = Project::from_shader("case", source).map_err(|e| e.to_string())?;
     let composed = project.resolve("case.frag").map_err(|e| e.to_string())?;
     if composed.has_errors() {
         return Err("the shader has errors".to_string());
