@@ -39,7 +39,6 @@ const LEFT: &[&[&str]] = &[
         "src/lint/sample/more_iterations.rs",
         "src/lint/sample/mod.rs",
         "src/lint/sample/pixels.rs",
-        "src/lint/march/stepped_over.rs",
         "src/lint/sample/verdict.rs",
     ],
     &[

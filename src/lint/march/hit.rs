@@ -1,6 +1,6 @@
 //! What sampled rays hit: the outcome of marching loops, and the conditions after them.
 
-use super::{March, MarchGoal};
+use super::loops::{March, MarchGoal};
 use crate::facts::Facts;
 use crate::sample::{INSTANTS, Round, SIZE, SampleFrame, SampleRun};
 use shaderlint_exec::{Observations, Watch};

@@ -1,6 +1,6 @@
 //! Edits of the limit of a marching loop.
 
-use super::March;
+use super::loops::March;
 use super::step_edit::DIGITS;
 use crate::facts::Facts;
 use shaderlint_flow::RayKind;

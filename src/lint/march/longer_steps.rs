@@ -1,7 +1,7 @@
 //! Steps that are needlessly short: a march with longer ones draws the same image.
 
+use super::loops::{March, MarchGoal};
 use super::stepped_over::{RayOutcome, StepLength, ray_probe};
-use super::{March, MarchGoal};
 use crate::facts::Facts;
 use crate::sample::{INSTANTS, Instant, LATER, Round, SIZE, SampleFrame, colors, is_apart};
 use shaderlint_exec::{Bytecode, CompileOptions, Sampled, Watch, quads_all_over};

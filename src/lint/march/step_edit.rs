@@ -1,6 +1,6 @@
 //! Edits of the steps of a marching loop.
 
-use super::March;
+use super::loops::March;
 use crate::facts::Facts;
 use shaderlint_ir::Provenance;
 use shaderlint_semantic::Program;

@@ -1,7 +1,7 @@
 //! Rays that step over a surface: the same march with shorter steps finds it before the place where a longer
 //! step has passed it.
 
-use super::March;
+use super::loops::March;
 use crate::facts::Facts;
 use crate::sample::{Instant, Round, SampleFrame, SampleRun, colors, is_apart};
 use shaderlint_exec::{Bytecode, CompileOptions, RayProbe, Sampled};
