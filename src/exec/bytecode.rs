@@ -1,6 +1,6 @@
 //! The bytecode that the VM executes: a register machine over 32 pixels.
 
-use super::compile::options::ErrorDirection;
+use super::options::ErrorDirection;
 use super::observations::{FaultKind, Observations, OperationCost};
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};

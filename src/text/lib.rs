@@ -5,6 +5,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod content;
+mod document_language;
 mod edit;
 pub mod embed;
 pub mod json;

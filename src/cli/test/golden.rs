@@ -3,7 +3,8 @@
 
 use super::super::output::{Overwrite, write};
 use super::super::port;
-use super::super::run::{Undrawable, decode, of_png, read, size_of, time_of};
+use super::super::image_file::decode;
+use super::super::run::{Undrawable, of_png, read, size_of, time_of};
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};

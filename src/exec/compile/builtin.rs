@@ -5,7 +5,7 @@
 
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
-use super::options::Watch;
+use crate::options::Watch;
 use crate::bytecode::{F1, F2, F3, FaultCheck, Reg};
 use shaderlint_ir::OpId;
 use shaderlint_ir::expand::{self, Arithmetic, Operator};

@@ -2,7 +2,7 @@
 
 use super::emit::CallFrame;
 use super::emit::{Compiler, Value};
-use super::options::Watch;
+use crate::options::Watch;
 use super::plan::GLOBALS;
 use crate::bytecode::{CallPath, Charge, EMPTY, F1, F2, Instr, InstrIndex, MaskSlot, Reg};
 use shaderlint_ir::{

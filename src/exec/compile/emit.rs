@@ -1,6 +1,6 @@
 //! The compiler state: values, registers and instructions.
 
-use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
+use crate::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use super::plan::{CompilePlan, Releasable};
 use super::registers::Registers;
 use super::statements::Statements;

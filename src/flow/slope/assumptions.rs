@@ -1,10 +1,10 @@
-//! SlopeAssumptions under which a gradient is bounded.
+//! Assumptions under which a gradient is bounded.
 
 use super::form::ScalarId;
 use super::interval::RealSpan;
 use rustc_hash::FxHashMap;
 
-/// SlopeAssumptions on the ranges of nodes and the truth of conditions.
+/// Assumptions about the ranges of nodes and the truth of conditions.
 #[derive(Clone, Default, Debug)]
 pub(super) struct SlopeAssumptions {
     pub spans: FxHashMap<ScalarId, RealSpan>,

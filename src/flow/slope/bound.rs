@@ -1,4 +1,4 @@
-//! GradientBounds of gradients: from the operands of a node to the node.
+//! Bounds of gradients: from the operands of a node to the node.
 
 use super::assumptions::SlopeAssumptions;
 use super::form::{ScalarForm, ScalarFunction, ScalarId};

@@ -2,7 +2,7 @@
 
 use super::embedded::Embedded;
 use super::html;
-use super::language::DocumentLanguage;
+use super::DocumentLanguage;
 use super::token::{ScriptToken, ScriptTokenKind, tokens};
 use std::collections::HashMap;
 use std::ops::Range;
