@@ -16,6 +16,6 @@ pub static RULE: Rule = Rule {
 };
 
 fn check(cx: &mut Context) {
-    let what = "infinite and becomes NaN when blended or filtered";
+    let what = "infinite and become NaN when blended or filtered";
     report_broken(cx, FaultKind::Infinite, f32::is_infinite, what);
 }

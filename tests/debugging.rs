@@ -170,7 +170,7 @@ fn compare(loaded: &Loaded, traced: &mut Shot, (moment, pixel): (&Moment, [u32; 
     compared
 }
 
-/// ProgramSource that are already loaded.
+/// Programs that are already loaded.
 struct Given;
 
 impl ProgramSource for Given {

@@ -15,6 +15,7 @@ mod dispatch;
 mod fmt;
 #[cfg(any(feature = "dap", feature = "lsp"))]
 mod framing;
+mod image_file;
 mod input;
 mod lint;
 #[cfg(feature = "lsp")]
@@ -24,6 +25,7 @@ mod mcp;
 mod output;
 mod parallel;
 mod port;
+mod progress;
 mod run;
 mod test;
 mod watch;

@@ -1,7 +1,7 @@
 //! The bytecode that the VM executes: a register machine over 32 pixels.
 
-use super::compile::options::ErrorDirection;
 use super::observations::{FaultKind, Observations, OperationCost};
+use super::options::ErrorDirection;
 use super::row::LANES;
 use shaderlint_ir::{LoopId, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Sampler, Scalar, Type, Undefined, VariableId};

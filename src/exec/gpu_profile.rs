@@ -3,7 +3,7 @@
 //! sines within -pi to pi and |x| * 2^-12 outside, 4096 ULP for arc tangents.
 
 use super::bytecode::ImpreciseOp;
-use super::compile::options::ErrorDirection;
+use super::options::ErrorDirection;
 use super::row::{floats, of_floats};
 use fearless_simd::{f32x8, prelude::*};
 use std::f32::consts::PI;

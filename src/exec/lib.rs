@@ -14,6 +14,7 @@ mod evaluation_order;
 mod gpu_profile;
 mod image;
 mod observations;
+mod options;
 mod render;
 mod replay;
 #[cfg(test)]
@@ -28,9 +29,6 @@ pub use bytecode::{
     Bytecode, InputSlot, Location, MAX_TRACED, OutputSlot, SamplerSlot, StopKind, StopSite,
     TraceSite, TracedValue, UniformSlot,
 };
-pub use compile::options::{
-    CompileOptions, ErrorDirection, GpuProfile, Probe, RayProbe, Refusal, Watch,
-};
 pub use compile::statements::statements;
 pub use compile::{compile, start};
 pub use draw::{Draw, DrawInputs, Stop};
@@ -40,6 +38,7 @@ pub use observations::{
     BranchObservation, ComparisonObservation, FaultKind, FunctionObservation, LoopObservation,
     NumberObservation, Observations, OperationCost, SiteObservation, StatementObservation, Witness,
 };
+pub use options::{CompileOptions, ErrorDirection, GpuProfile, Probe, RayProbe, Refusal, Watch};
 pub use render::{Drawn, Sampled, draw, quads_all_over, sample, sample_cases};
 pub use replay::{Pause, Replay, ReplayCheckpoint, lane_of};
 pub use row::{LANES, QUAD};

@@ -1,7 +1,7 @@
 //! What a shader uses that its host does not accept.
 
 use shaderlint_host::{Limit, Preset};
-use shaderlint_semantic::{Program, Resolution, Scalar, Storage, Variable};
+use shaderlint_semantic::{BuiltinId, Program, Scalar, Storage, Variable};
 use shaderlint_syntax::ast::{DeclKind, ExprId, ExprKind};
 use shaderlint_text::Span;
 
@@ -39,7 +39,8 @@ pub fn limits(program: &Program, host: &Preset) -> Vec<BeyondLimit> {
         found.extend(blocks(program));
     }
     if has(Limit::Lookups) {
-        let is_usual = |name: &str, count| matches!(name, "texture" | "texture2D") && count == 2;
+        let is_usual =
+            |id, count| matches!(id, BuiltinId::Texture | BuiltinId::Texture2D) && count == 2;
         found.extend(lookups(program, is_usual));
     }
     found.sort_by_key(|beyond| beyond.span.start);
@@ -98,26 +99,27 @@ fn blocks(program: &Program) -> Vec<BeyondLimit> {
 /// The calls of texture functions that are not accepted with this number of arguments.
 pub(super) fn lookups(
     program: &Program,
-    is_accepted: impl Fn(&str, usize) -> bool,
+    is_accepted: impl Fn(BuiltinId, usize) -> bool,
 ) -> Vec<BeyondLimit> {
     let mut found = Vec::new();
     for (id, expr) in (0..).map(ExprId).zip(&program.tree.exprs) {
-        let ExprKind::Call(name, args) = expr.kind else {
+        let ExprKind::Call(_, args) = expr.kind else {
             continue;
         };
-        let is_builtin = matches!(program.expr(id).resolution, Resolution::Builtin(_));
+        let Some(called) = program.builtin_called(id) else {
+            continue;
+        };
         let args = program.tree.args(args);
         let has_sampler = args
             .first()
             .is_some_and(|arg| program.ty(*arg).as_sampler().is_some());
-        let name = program.names.text(name);
-        let is_usual = is_accepted(name, args.len());
+        let is_usual = is_accepted(called, args.len());
         let span = program.token(expr.extent.first).map(|t| t.span);
-        let span = span.filter(|s| is_builtin && has_sampler && !is_usual && program.is_user(*s));
+        let span = span.filter(|s| has_sampler && !is_usual && program.is_user(*s));
         if let Some(span) = span {
-            let message = match name {
-                "texture" => "`texture` has more than two arguments".to_string(),
-                name => format!("`{name}` is called"),
+            let message = match called {
+                BuiltinId::Texture => "`texture` has more than two arguments".to_string(),
+                other => format!("`{}` is called", other.name()),
             };
             found.push(BeyondLimit {
                 span,

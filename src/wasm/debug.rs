@@ -38,7 +38,7 @@ impl ModuleDebugger {
     }
 }
 
-/// ProgramSource in the arguments of `launch`.
+/// Programs in the arguments of `launch`.
 struct SentPrograms;
 
 impl ProgramSource for SentPrograms {

@@ -347,118 +347,68 @@ fn huge_tokens() {
     expect(&format!("{}{}", body(""), "\0".repeat(100_000)), Compiles);
 }
 
+/// Number of repetitions of a construct.
+const COUNT: usize = 10_000;
+
+/// Expects the verdict for these declarations before a shader with this body.
+fn expect_after(declarations: &str, code: &str, verdict: Verdict) {
+    expect(&format!("{declarations}{}", body(code)), verdict);
+}
+
 #[test]
-fn many_repetitions_of_each_construct() {
-    let count = 10_000;
-    expect(
-        &format!(
-            "{}{}",
-            each(count, |i| format!("float f{i}(float x) {{ return x; }}\n")),
-            body("")
-        ),
-        Compiles,
-    );
-    let chain = each(count, |i| {
+fn many_functions() {
+    let functions = each(COUNT, |i| format!("float f{i}(float x) {{ return x; }}\n"));
+    expect_after(&functions, "", Compiles);
+    let first = "float f0(float x) { return x; }\n";
+    let chain = each(COUNT, |i| {
         format!("float f{}(float x) {{ return f{i}(x); }}\n", i + 1)
     });
-    expect(
-        &format!(
-            "float f0(float x) {{ return x; }}\n{chain}{}",
-            body("x = f10000(x);")
-        ),
-        Refused,
-    );
+    expect_after(&format!("{first}{chain}"), "x = f10000(x);", Refused);
     let fan = each(60, |i| {
-        format!(
-            "float f{}(float x) {{ return f{i}(x) + f{i}(x); }}\n",
-            i + 1
-        )
+        let next = i + 1;
+        format!("float f{next}(float x) {{ return f{i}(x) + f{i}(x); }}\n")
     });
-    expect(
-        &format!(
-            "float f0(float x) {{ return x; }}\n{fan}{}",
-            body("x = f60(x);")
-        ),
-        Compiles,
-    );
-    expect(
-        &body(&each(count, |i| format!("float v{i} = x;"))),
-        Compiles,
-    );
-    expect(
-        &body(&each(count, |i| {
-            format!("float v{i} = x; {{ float v{i} = x; }}")
-        })),
-        Compiles,
-    );
-    expect(
-        &format!(
-            "{}{}",
-            each(count, |i| format!("const int c{i} = {i};\n")),
-            body("")
-        ),
-        Compiles,
-    );
-    expect(
-        &format!(
-            "{}{}",
-            each(count, |i| format!("struct S{i} {{ float a; }};\n")),
-            body("")
-        ),
-        Compiles,
-    );
+    expect_after(&format!("{first}{fan}"), "x = f60(x);", Compiles);
     let overloads = each(5_000, |i| {
         format!("struct S{i} {{ float a; }}; float f(S{i} s) {{ return s.a; }}\n")
     });
-    expect(
-        &format!("{overloads}{}", body("S1 s; s.a = 1.0; x = f(s);")),
-        Compiles,
-    );
-    expect(
-        &format!("{overloads}{}", body(&"x = f(x);".repeat(1_000))),
-        Refused,
-    );
-    expect(
-        &body(&format!(
-            "switch (n) {{ {} }}",
-            each(count, |i| format!("case {i}: x = 1.0; break;\n"))
-        )),
-        Compiles,
-    );
-    expect(
-        &body(&format!(
-            "switch (n) {{ {} }}",
-            "case 1: x = 1.0; break;\n".repeat(count)
-        )),
-        Refused,
-    );
-    let args = vec!["x"; count].join(", ");
+    expect_after(&overloads, "S1 s; s.a = 1.0; x = f(s);", Compiles);
+    expect_after(&overloads, &"x = f(x);".repeat(1_000), Refused);
+}
+
+#[test]
+fn many_declarations() {
+    let variables = each(COUNT, |i| format!("float v{i} = x;"));
+    expect(&body(&variables), Compiles);
+    let scopes = each(COUNT, |i| format!("float v{i} = x; {{ float v{i} = x; }}"));
+    expect(&body(&scopes), Compiles);
+    let names: Vec<String> = (0..COUNT).map(|i| format!("v{i}")).collect();
+    expect(&body(&format!("float {};", names.join(", "))), Compiles);
+    let constants = each(COUNT, |i| format!("const int c{i} = {i};\n"));
+    expect_after(&constants, "", Compiles);
+    let structs = each(COUNT, |i| format!("struct S{i} {{ float a; }};\n"));
+    expect_after(&structs, "", Compiles);
+    let members = each(COUNT, |i| format!("float m{i};"));
+    expect_after(&format!("struct S {{ {members} }};\n"), "", Compiles);
+}
+
+#[test]
+fn many_cases() {
+    let cases = each(COUNT, |i| format!("case {i}: x = 1.0; break;\n"));
+    expect(&body(&format!("switch (n) {{ {cases} }}")), Compiles);
+    let same = "case 1: x = 1.0; break;\n".repeat(COUNT);
+    expect(&body(&format!("switch (n) {{ {same} }}")), Refused);
+}
+
+#[test]
+fn many_arguments() {
+    let args = vec!["x"; COUNT].join(", ");
     expect(&body(&format!("x = f({args});")), Refused);
     expect(&body(&format!("o = vec4({args});")), Refused);
     expect(&body(&format!("float a[] = float[]({args});")), Compiles);
-    let params = vec!["float"; count].join(", ");
-    expect(
-        &format!("float f({params}) {{ return 1.0; }}\n{}", body("")),
-        Refused,
-    );
-    expect(
-        &body(&format!(
-            "float {};",
-            (0..count)
-                .map(|i| format!("v{i}"))
-                .collect::<Vec<_>>()
-                .join(", ")
-        )),
-        Compiles,
-    );
-    expect(
-        &format!(
-            "struct S {{ {} }};\n{}",
-            each(count, |i| format!("float m{i};")),
-            body("")
-        ),
-        Compiles,
-    );
+    let params = vec!["float"; COUNT].join(", ");
+    let function = format!("float f({params}) {{ return 1.0; }}\n");
+    expect_after(&function, "", Refused);
 }
 
 #[test]

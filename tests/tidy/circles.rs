@@ -5,13 +5,12 @@ use super::code::Crate;
 use super::{crates, files};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Remaining dependency cycles: the files of each, or folders that contain them. This list must
-/// only become shorter.
+/// The files of each remaining dependency cycle. This list must only become shorter.
 const LEFT: &[&[&str]] = &[
     &["fuzz/src/main.rs", "fuzz/src/throw.rs"],
     &[
-        "src/engine/lib.rs",
         "src/engine/fix.rs",
+        "src/engine/lib.rs",
         "src/engine/verify.rs",
     ],
     &[
@@ -32,23 +31,51 @@ const LEFT: &[&[&str]] = &[
         "src/lint/facts.rs",
         "src/lint/option.rs",
         "src/lint/rule.rs",
-        "src/lint/settings.rs",
         "src/lint/sample/bench.rs",
         "src/lint/sample/culprit.rs",
         "src/lint/march/hit.rs",
-        "src/lint/sample/more_iterations.rs",
         "src/lint/sample/mod.rs",
+        "src/lint/sample/more_iterations.rs",
         "src/lint/sample/pixels.rs",
         "src/lint/sample/verdict.rs",
+        "src/lint/settings.rs",
     ],
     &[
-        "src/port/dialect/",
+        "src/port/dialect/bind.rs",
+        "src/port/dialect/bookofshaders.rs",
+        "src/port/dialect/clues.rs",
+        "src/port/dialect/complete.rs",
+        "src/port/dialect/isf.rs",
+        "src/port/dialect/kodelife.rs",
+        "src/port/dialect/kodi.rs",
+        "src/port/dialect/mod.rs",
+        "src/port/dialect/niri.rs",
+        "src/port/dialect/shadered.rs",
+        "src/port/dialect/shadertoy.rs",
+        "src/port/dialect/synthclipse.rs",
+        "src/port/dialect/three.rs",
+        "src/port/dialect/twigl.rs",
+        "src/port/dialect/veda.rs",
+        "src/port/dialect/vertex.rs",
+        "src/port/dialect/vertexshaderart.rs",
+        "src/port/dialect/vscode.rs",
         "src/port/media/mod.rs",
         "src/port/media/stock.rs",
         "src/port/project.rs",
         "src/port/signature.rs",
     ],
-    &["src/port/naga/"],
+    &[
+        "src/port/naga/body.rs",
+        "src/port/naga/function.rs",
+        "src/port/naga/global.rs",
+        "src/port/naga/lower.rs",
+        "src/port/naga/port.rs",
+        "src/port/naga/sampler.rs",
+        "src/port/naga/special.rs",
+        "src/port/naga/stored.rs",
+        "src/port/naga/types.rs",
+        "src/port/naga/uniform.rs",
+    ],
     &[
         "src/syntax/parser/correction.rs",
         "src/syntax/parser/mod.rs",
@@ -60,6 +87,34 @@ const LEFT: &[&[&str]] = &[
         "src/syntax/preprocessor/mod.rs",
         "src/syntax/preprocessor/number.rs",
     ],
+];
+
+/// The remaining cycles between entries of a folder, of which one at least is a folder itself. This
+/// list must only become shorter.
+const LEFT_OF_FOLDERS: &[&[&str]] = &[
+    &[
+        "src/engine/check_context.rs",
+        "src/engine/file_cache.rs",
+        "src/engine/include/",
+        "src/engine/options.rs",
+    ],
+    &["src/flow/reaching_definitions/", "src/flow/same.rs"],
+    &[
+        "src/lint/context.rs",
+        "src/lint/facts.rs",
+        "src/lint/option.rs",
+        "src/lint/rule.rs",
+        "src/lint/sample/",
+        "src/lint/settings.rs",
+    ],
+    &[
+        "src/port/dialect/",
+        "src/port/media/",
+        "src/port/project.rs",
+        "src/port/signature.rs",
+    ],
+    &["src/semantic/root_cause/", "src/semantic/single_pass.rs"],
+    &["src/syntax/parser/", "src/syntax/translation/"],
 ];
 
 type Arrows<'a> = BTreeMap<&'a str, BTreeSet<&'a str>>;
@@ -89,8 +144,45 @@ fn circles<'a>(arrows: &Arrows<'a>) -> BTreeSet<Vec<&'a str>> {
     circles.filter(|circle| circle.len() > 1).collect()
 }
 
+/// The dependencies between the entries of each folder: its folders, each with all that is in it,
+/// and its files, without the one that declares them as modules.
+fn folder_arrows<'a>(arrows: &Arrows<'a>) -> Arrows<'a> {
+    let mut found = Arrows::new();
+    let pairs = arrows
+        .iter()
+        .flat_map(|(from, to)| to.iter().map(|to| (*from, *to)));
+    for (from, to) in pairs {
+        let parts = from.split_inclusive('/').zip(to.split_inclusive('/'));
+        let shared = parts
+            .take_while(|(a, b)| a == b)
+            .map(|(a, _)| a.len())
+            .sum();
+        let entry = |file: &'a str| match file[shared..].find('/') {
+            Some(end) => &file[..=shared + end],
+            None => file,
+        };
+        let is_list = |entry: &str| ["mod.rs", "lib.rs", "main.rs"].contains(&&entry[shared..]);
+        let (from, to) = (entry(from), entry(to));
+        if !is_list(from) && !is_list(to) {
+            found.entry(from).or_default().insert(to);
+        }
+    }
+    found
+}
+
+/// What differs between the cycles that are there and those that are listed.
+fn differences(arrows: &Arrows, found: &BTreeSet<Vec<&str>>, left: &[&[&str]]) -> Vec<String> {
+    let is_listed = |circle: &&Vec<&str>| left.contains(&circle.as_slice());
+    let new = found.iter().filter(|circle| !is_listed(circle));
+    let old = left.iter().filter(|circle| !found.contains(**circle));
+    let old = old.map(|circle| format!("not a cycle any more: {}", circle.join(" ")));
+    new.map(|circle| describe(circle, arrows))
+        .chain(old)
+        .collect()
+}
+
 #[test]
-fn file_dependencies_have_no_new_cycles() {
+fn files_and_folders_have_no_new_dependency_cycles() {
     let all = files(&["src", "rules", "fuzz"], ".rs");
     let folders = crates();
     let mut arrows = Arrows::new();
@@ -98,38 +190,23 @@ fn file_dependencies_have_no_new_cycles() {
         arrows.extend(Crate::new(folder, &folders, &all).arrows());
     }
     let count: usize = arrows.values().map(BTreeSet::len).sum();
-    assert!(count > 1000, "{count} dependencies");
-    let mut met = BTreeSet::new();
-    let mut circles_left = Vec::new();
-    for circle in circles(&arrows) {
-        let place = |file: &&str, left: &[&'static str]| {
-            let place = left.iter().find(|place| file.starts_with(**place));
-            place.copied()
-        };
-        let is_left = |left: &&&[&'static str]| circle.iter().all(|f| place(f, left).is_some());
-        match LEFT.iter().find(is_left) {
-            Some(left) => met.extend(circle.iter().filter_map(|f| place(f, left))),
-            None => circles_left.push(describe(&circle, &arrows)),
-        }
-    }
-    assert!(circles_left.is_empty(), "{}", circles_left.join("\n"));
-    let places = LEFT.iter().copied().flatten();
-    let removed: Vec<&str> = places.filter(|p| !met.contains(*p)).copied().collect();
-    assert!(
-        removed.is_empty(),
-        "no longer in a cycle; remove from LEFT: {}",
-        removed.join(" ")
-    );
+    assert!(count > 2000, "{count} dependencies");
+    let mut wrong = differences(&arrows, &circles(&arrows), LEFT);
+    let arrows = folder_arrows(&arrows);
+    let mut found = circles(&arrows);
+    found.retain(|circle| circle.iter().any(|entry| entry.ends_with('/')));
+    wrong.extend(differences(&arrows, &found, LEFT_OF_FOLDERS));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 fn describe(circle: &[&str], arrows: &Arrows) -> String {
-    let mut circles_left = format!("a dependency cycle of {} files:", circle.len());
+    let mut text = format!("a dependency cycle of {}:", circle.len());
     for from in circle {
         for to in arrows[from].iter().filter(|to| circle.contains(to)) {
-            circles_left += &format!("\n    {from} -> {to}");
+            text += &format!("\n    {from} -> {to}");
         }
     }
-    circles_left
+    text
 }
 
 /// The dependency cycles of a crate with these files.
@@ -168,4 +245,34 @@ fn cycles_are_found_in_every_spelling() {
     ] {
         assert_eq!(circles_of(&[lib, b, ("c", naming)]).len(), 0, "{naming}");
     }
+}
+
+#[test]
+fn cycles_between_folders_are_found() {
+    // Only the file of the modules and a file in a folder depend on each other.
+    let pairs = [
+        ("a/b/one.rs", "a/c/deep/two.rs"),
+        ("a/c/three.rs", "a/b/four.rs"),
+        ("a/b/four.rs", "a/d.rs"),
+        ("a/mod.rs", "a/b/one.rs"),
+        ("a/b/one.rs", "a/mod.rs"),
+        ("a/b/one.rs", "a/b/four.rs"),
+    ];
+    let mut arrows = Arrows::new();
+    for (from, to) in pairs {
+        arrows.entry(from).or_default().insert(to);
+    }
+    assert!(
+        circles(&arrows)
+            .iter()
+            .all(|circle| circle.contains(&"a/mod.rs"))
+    );
+    let found = circles(&folder_arrows(&arrows));
+    assert_eq!(found, BTreeSet::from([vec!["a/b/", "a/c/"]]));
+    let left: &[&[&str]] = &[&["a/b/", "a/c/"]];
+    let listed = |left| differences(&folder_arrows(&arrows), &found, left).len();
+    assert_eq!(
+        (listed(left), listed(&[]), listed(&[&["a/b/", "a/d/"]])),
+        (0, 1, 2)
+    );
 }

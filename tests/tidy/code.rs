@@ -121,7 +121,7 @@ pub fn without_tests<'a>(tokens: &[(Token<'a>, usize)]) -> Vec<(Token<'a>, usize
 }
 
 /// The end of the item that starts at `at`: after its `;`, or after the `}` of its block.
-fn end_of_item(tokens: &[(Token, usize)], mut at: usize) -> usize {
+pub fn end_of_item(tokens: &[(Token, usize)], mut at: usize) -> usize {
     let mut depth = 0;
     while let Some((token, _)) = tokens.get(at) {
         at += 1;

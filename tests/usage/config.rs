@@ -417,7 +417,7 @@ fn a_user_defined_host_is_described_in_glsl() {
     );
 }
 
-/// Presets choose rules and show their infos; infos are only counted otherwise, unless somebody asks.
+/// Presets choose rules and show their infos; by default infos are only counted.
 #[test]
 fn presets_and_infos() {
     let code = "float idle(float x) { return x; }\n\

@@ -1,7 +1,8 @@
 //! `shaderlint dap`: a debugger over standard input and output.
 
 use super::framing;
-use super::run::{Undrawable, decode, read};
+use super::image_file::decode;
+use super::run::{Undrawable, read};
 use crate::commands::run::{Loaded, position};
 use crate::dap::{Adapter, Launch, ProgramSource};
 use crate::diagnostic::Severity;
@@ -88,7 +89,7 @@ fn write(messages: Vec<Value>) -> io::Result<()> {
     output.flush()
 }
 
-/// ProgramSource on disk.
+/// Programs on disk.
 struct DiskPrograms;
 
 impl ProgramSource for DiskPrograms {

@@ -87,7 +87,7 @@ pub struct CheckArgs {
     )]
     #[arg(conflicts_with_all = ["select", "ignore"])]
     pub only: Vec<String>,
-    /// Report infos too, which are only counted otherwise
+    /// Also report infos; by default they are only counted
     #[arg(long, help_heading = "Rules")]
     pub info: bool,
     /// Static analysis only: do not execute shaders

@@ -11,7 +11,7 @@ const TEXT: &str = r#"# `shaderlint schema` prints all keys, `shaderlint rules` 
 # Rules: "recommended", "strict" (clean code, portability), "performance" or "all".
 preset = "recommended"
 
-# Report infos too, which are only counted otherwise:
+# Also report infos; by default they are only counted:
 # info = true
 
 # Files to skip, as in .gitignore:

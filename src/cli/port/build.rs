@@ -9,7 +9,7 @@ use super::save::OutputPlace;
 use super::still::still;
 use crate::cli::command::{CLEAN, FINDINGS};
 use crate::cli::output::diff;
-use crate::cli::run::Progress;
+use crate::cli::progress::Progress;
 use crate::engine::{Original, Repairs, Verified, repairable, verify};
 use crate::exec::Equality;
 #[cfg(feature = "naga")]
@@ -88,15 +88,7 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
         return Ok(nothing(FINDINGS));
     }
     if !target.is_shaders() {
-        let missing = channel_notes(&project, target).into_iter();
-        let sliders = match target.has_sliders() {
-            true => slider_notes(&composed),
-            false => &[],
-        };
-        let notes = notes.into_iter().chain(missing);
-        for note in notes.chain(sliders.iter().cloned()) {
-            let _ = writeln!(io::stderr(), "note: {note}");
-        }
+        print_notes(&project, &composed, target, notes);
     }
     let mut code = if summary.errors > 0 { FINDINGS } else { CLEAN };
     if args.verify {
@@ -110,6 +102,18 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
         read,
         code,
     })
+}
+
+/// Prints the notes of the input, and what is missing in a page.
+fn print_notes(project: &Project, composed: &Composed, target: Target, notes: Vec<String>) {
+    let sliders = match target.has_sliders() {
+        true => slider_notes(composed),
+        false => &[],
+    };
+    let notes = notes.into_iter().chain(channel_notes(project, target));
+    for note in notes.chain(sliders.iter().cloned()) {
+        let _ = writeln!(io::stderr(), "note: {note}");
+    }
 }
 
 /// Notes about channels without their content.

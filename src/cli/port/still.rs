@@ -3,7 +3,7 @@
 //! The budget counts operations, so that the same shader gives the same image on every machine. Each
 //! image is drawn only if a smaller one showed that it is within the budget.
 
-use crate::cli::run::decode;
+use crate::cli::image_file::decode;
 use crate::commands::run::Bitmap;
 use crate::engine::inputs::Moment;
 use crate::exec::{CompileOptions, Drawn};

@@ -1,7 +1,7 @@
 //! The arguments of `shaderlint run`.
 
 use super::super::color::ColorChoice;
-use super::image_file::decode;
+use crate::cli::image_file::decode;
 use crate::commands::run::{FrameView, HeatMap, ObservedRays, ShotSetting, Show, UniformText};
 use crate::engine::inputs::{Button, Moment, Mouse};
 use crate::exec::Watch;

@@ -1,23 +1,20 @@
 //! `shaderlint run`: draws a shader without a GPU and prints statistics.
 
 mod args;
-mod image_file;
 mod load;
 mod png;
-mod progress;
 mod sheet;
 mod terminal;
 
 pub use args::RunArgs;
 pub(super) use args::{Heat, size_of, time_of};
-pub(super) use image_file::decode;
 pub(super) use load::{LoadedFiles, Trouble, Undrawable, read};
 pub(super) use png::of_png;
-pub(super) use progress::Progress;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
 use super::output::Overwrite;
 use super::port::save;
+use super::progress::Progress;
 use crate::commands::run::{
     Bitmap, Shot, UniformText, compare, compared_moments, frame, rays, shot, trace,
 };

@@ -1,7 +1,7 @@
 //! PNG files.
 
 use super::args::MAX_PIXELS;
-use super::image_file;
+use crate::cli::image_file;
 use crate::commands::run::Bitmap;
 use crate::play::Decoded;
 

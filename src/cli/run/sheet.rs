@@ -1,7 +1,7 @@
 //! Contact sheets: frames of several times next to each other.
 
 use super::args::RunArgs;
-use super::progress::Progress;
+use crate::cli::progress::Progress;
 use crate::commands::run::{Bitmap, Loaded, SheetFacts, Shot, font, frame};
 use crate::engine::inputs::Moment;
 use crate::text::number::short;

@@ -1,8 +1,9 @@
 //! Golden images: `FILE.golden.png` next to FILE, or `FILE.golden.2.5s.png` if there are several
 //! times.
 
+use super::super::image_file::decode;
 use super::super::output::{Overwrite, write};
-use super::super::run::{Undrawable, decode, of_png, read, size_of, time_of};
+use super::super::run::{Undrawable, of_png, read, size_of, time_of};
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};

@@ -1,7 +1,8 @@
 //! The textures that comments of a test give by name: `// texture: iChannel0 = brick.png`, or
 //! `buffer_a at frame 3` for a pass of the project in the same folder.
 
-use super::super::run::{Undrawable, decode, read};
+use super::super::image_file::decode;
+use super::super::run::{Undrawable, read};
 use crate::commands::run::{ObservedRays, ShotSetting, shot};
 use crate::engine::inputs::Moment;
 use crate::exec::{Filter, Image, ImageShape, Sampling, Texels, Texture, Watch, Wrap};

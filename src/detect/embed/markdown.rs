@@ -1,7 +1,7 @@
 //! Shaders in fenced code blocks of Markdown.
 
+use super::DocumentLanguage;
 use super::embedded::{Embedded, Wrapping, left_out};
-use super::language::DocumentLanguage;
 use super::{component, holes, html, script};
 use crate::kind::Evidence;
 

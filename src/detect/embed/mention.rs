@@ -1,7 +1,7 @@
 //! Where scripts refer to a name of a shader: in `getUniformLocation(program, "name")`, in
 //! `uniforms: { name: ... }`, in `source.replace("name", ...)`.
 
-use super::language::DocumentLanguage;
+use super::DocumentLanguage;
 use super::together::scripts;
 use super::token::{ScriptToken, ScriptTokenKind, tokens};
 use std::ops::Range;

@@ -14,7 +14,6 @@ mod hole;
 mod holes;
 mod html;
 mod keyword;
-mod language;
 mod listing;
 mod literal;
 mod markdown;
@@ -25,10 +24,10 @@ mod template;
 mod together;
 mod token;
 
+pub use crate::document_language::DocumentLanguage;
 pub use embedded::{Embedded, Wrapping};
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
-pub use language::DocumentLanguage;
 pub use mention::{Mention, MentionKind, NameRole, mentions};
 pub use together::{Asked, asked, strings, together};
 

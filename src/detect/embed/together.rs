@@ -1,8 +1,8 @@
 //! How a script uses its shaders: which ones it combines to a program, and which uniforms it sets.
 
+use super::DocumentLanguage;
 use super::embedded::Embedded;
 use super::html;
-use super::language::DocumentLanguage;
 use super::token::{ScriptToken, ScriptTokenKind, tokens};
 use std::collections::HashMap;
 use std::ops::Range;

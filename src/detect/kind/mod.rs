@@ -17,7 +17,7 @@ pub use evidence::{Evidence, VersionLine, has_main, is_type};
 pub use made::made;
 pub use shader_language::ShaderLanguage;
 
-use crate::embed::DocumentLanguage;
+use crate::document_language::DocumentLanguage;
 use std::fmt;
 
 /// What kind of file a file is.

@@ -5,8 +5,8 @@
 
 use super::emit::{Compiler, Made, Regs, Value};
 use super::op::less;
-use super::options::Watch;
 use crate::bytecode::{F1, F2, F3, FaultCheck, Reg};
+use crate::options::Watch;
 use shaderlint_ir::OpId;
 use shaderlint_ir::expand::{self, Arithmetic, Operator};
 use shaderlint_semantic::builtins::{Axis, BuiltinId, BuiltinKind};

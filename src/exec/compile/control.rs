@@ -2,9 +2,9 @@
 
 use super::emit::CallFrame;
 use super::emit::{Compiler, Value};
-use super::options::Watch;
 use super::plan::GLOBALS;
 use crate::bytecode::{CallPath, Charge, EMPTY, F1, F2, Instr, InstrIndex, MaskSlot, Reg};
+use crate::options::Watch;
 use shaderlint_ir::{
     CaseLabel, Loop, LoopId, Module, OpId, Provenance, Region, Run, Step, Switch, Visit,
 };

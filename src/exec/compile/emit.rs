@@ -1,12 +1,12 @@
 //! The compiler state: values, registers and instructions.
 
-use super::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use super::plan::{CompilePlan, Releasable};
 use super::registers::Registers;
 use super::statements::Statements;
 use crate::bytecode::{
     Bytecode, CallPath, CheckSite, F1, F2, F3, ImpreciseOp, Instr, InstrIndex, MaskSlot, Reg,
 };
+use crate::options::{CompileOptions, GpuProfile, Refusal, Watch};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::{Layout, Module, OpId, Provenance};
 use shaderlint_semantic::{FunctionRef, Program, Type, VariableId};

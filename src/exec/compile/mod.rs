@@ -12,7 +12,6 @@ mod emit;
 mod interface;
 mod lookup;
 mod op;
-pub(super) mod options;
 mod place;
 mod plan;
 mod probe;
@@ -23,8 +22,8 @@ mod steps;
 mod traced;
 
 use super::bytecode::Bytecode;
+use crate::options::{CompileOptions, Refusal};
 use emit::Compiler;
-use options::{CompileOptions, Refusal};
 use shaderlint_ir::{Module, OpKind, Provenance};
 use shaderlint_semantic::{FunctionRef, Program};
 

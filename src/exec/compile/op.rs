@@ -1,8 +1,8 @@
 //! Lowering of operations, scalar by scalar.
 
 use super::emit::{Compiler, MAX_KEPT, Made, Regs, Value};
-use super::options::{GpuProfile, Watch};
 use crate::bytecode::{CheckSite, Comparison, F1, F2, F3, FaultCheck, Instr, OperandCheck, Reg};
+use crate::options::{GpuProfile, Watch};
 use shaderlint_ir::{Binary, OpId, OpKind, Precision, Unary};
 use shaderlint_semantic::{Base, Scalar, Type, Undefined, Value as Constant};
 

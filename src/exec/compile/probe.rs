@@ -1,8 +1,8 @@
 //! The probe: outputs a variable or value in addition to the outputs of the shader.
 
 use super::emit::{Compiler, Made, Probed, Value};
-use super::options::Probe;
 use crate::bytecode::{Instr, OutputSlot};
+use crate::options::Probe;
 use shaderlint_ir::{OpId, OpKind};
 use shaderlint_semantic::Type;
 use shaderlint_text::Span;

@@ -1,8 +1,8 @@
 //! The ray probe: outputs how the first march of a loop went in each pixel, with steps of another length.
 
 use super::emit::{Compiler, Made, RayRegisters, Regs, Value};
-use super::options::RayProbe;
 use crate::bytecode::{F1, F2, F3, Instr, OutputSlot, Reg};
+use crate::options::RayProbe;
 use shaderlint_ir::{Binary, LoopId, OpId, OpKind};
 use shaderlint_semantic::{Scalar, Type, Value as Number};
 

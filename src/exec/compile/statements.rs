@@ -48,7 +48,7 @@ impl Statements {
 /// The statements of a function at which code with [`CompileOptions::steps`] can stop, in source
 /// order.
 ///
-/// [`CompileOptions::steps`]: super::options::CompileOptions::steps
+/// [`CompileOptions::steps`]: crate::CompileOptions::steps
 pub fn statements(tree: &Tree, module: &Module, function: FunctionRef) -> Vec<Extent> {
     let all = Statements::of(tree);
     let Some(found) = module.function(function) else {

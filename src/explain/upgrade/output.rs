@@ -1,4 +1,4 @@
-//! DeclaredNames outputs in place of `gl_FragColor` and `gl_FragData`.
+//! Declares outputs in place of `gl_FragColor` and `gl_FragData`.
 
 use super::obstacle::{DRAW_BUFFERS, ObstacleKind, UpgradeObstacle};
 use super::scan::RawScan;

@@ -110,7 +110,7 @@ impl DrawnValue {
 struct TextInserts(BTreeMap<u32, (String, String)>);
 
 impl TextInserts {
-    /// TextInserts texts around a span, and around what was inserted there before.
+    /// Inserts texts around a span, and around what was inserted there before.
     fn around(&mut self, span: Span, before: &str, after: &str) {
         let (_, starts) = self.0.entry(span.start).or_default();
         starts.insert_str(0, before);

@@ -24,7 +24,7 @@ use pass::{defines, differences, left_out, supplied_inputs, user_files};
 use plain::PlainShader;
 use shaderlint_diagnostic::Severity;
 use shaderlint_host::{Preset, Template, TextureRow};
-use shaderlint_semantic::{Pass, Program};
+use shaderlint_semantic::{BuiltinId, Pass, Program};
 use shaderlint_text::{FileId, Span};
 use supplied::{Supplied, supplied};
 use text::{HostText, HostWriter};
@@ -139,8 +139,8 @@ fn lookups_of_screen(
     }
     let replaced = renamed::words(&template.screen);
     let is_replaced = |name: &str| replaced.iter().any(|(_, word)| *word == name);
-    let found = lookups(program, |name, _| {
-        name == "textureSize" || is_replaced(name)
+    let found = lookups(program, |called, _| {
+        called == BuiltinId::TextureSize || is_replaced(called.name())
     });
     let remarks = found.into_iter().map(|beyond| {
         let message = not_accepted(host, &beyond.message);

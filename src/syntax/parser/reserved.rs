@@ -141,6 +141,7 @@ impl Parser<'_> {
             Some(edits) if (1..=MAX_RENAMED).contains(&edits.len()) => {
                 let title = match edits.len() {
                     1 => format!("rename it to `{free}`"),
+                    2 => format!("rename both uses to `{free}`"),
                     n => format!("rename all {n} uses to `{free}`"),
                 };
                 d.fix(Fix::safe(title, edits))

@@ -26,7 +26,7 @@ pub struct CheckTool {
     /// Report only these rules, groups and compile errors
     #[serde(default)]
     only: Vec<String>,
-    /// Report infos too, which are only counted otherwise
+    /// Also report infos; by default they are only counted
     #[serde(default)]
     info: bool,
 }

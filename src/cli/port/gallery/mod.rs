@@ -12,7 +12,7 @@ use super::save::{already_exists, save};
 use super::still::still;
 use crate::cli::command::{CLEAN, FINDINGS};
 use crate::cli::output::Overwrite;
-use crate::cli::run::Progress;
+use crate::cli::progress::Progress;
 use crate::cli::watch::{Stamp, wait};
 use crate::commands::run::position;
 use crate::diagnostic::Severity;
