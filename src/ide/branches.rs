@@ -7,7 +7,10 @@ use super::document::Document;
 use super::index::is_inactive;
 use shaderlint_engine::Files;
 use shaderlint_semantic::Program;
-use shaderlint_syntax::{RawItem, RawKind, RawToken, is_blank, raw_items, tokenize};
+use shaderlint_syntax::{
+    BranchId, ConditionalDirective, ConditionalGroups, GroupBranch, MacroTestKind, RawItem,
+    RawKind, raw_items, tokenize,
+};
 use shaderlint_text::Span;
 
 /// Maximum number of texts.
@@ -15,46 +18,22 @@ const MOST: usize = 16;
 /// Maximum nesting of groups.
 const DEEPEST: usize = 32;
 
-/// The branches from `#if` to `#endif`.
-#[derive(Default)]
-struct ConditionalGroup {
-    /// Lines of its directives.
-    directives: Vec<Span>,
-    branches: Vec<Branch>,
-    /// The branch that the next text compiles.
-    selected: Option<usize>,
+/// The groups of a code.
+struct CodeGroups<'t> {
+    groups: ConditionalGroups<BranchState<'t>>,
+    /// By group: the branch that the next text compiles.
+    selected: Vec<Option<usize>>,
 }
 
-/// The code between two directives of a group.
-#[derive(Default)]
-struct Branch {
-    span: Span,
-    condition: MacroCondition,
-    /// Whether the shader compiles it.
+/// What is known of a directive of a group, and of the branch that it starts.
+struct BranchState<'t> {
+    /// The line of the directive.
+    line: Span,
+    condition: Option<MacroCondition<'t>>,
+    /// Whether the shader compiles the branch.
     is_active: bool,
-    /// Whether it has words that no text so far compiles.
+    /// Whether the branch has words that no text so far compiles.
     is_unread: bool,
-    inner: Vec<ConditionalGroup>,
-}
-
-impl Branch {
-    fn is_needed(&self) -> bool {
-        let mut inner = self.inner.iter().flat_map(|g| &g.branches);
-        self.is_unread || inner.any(Branch::is_needed)
-    }
-
-    fn is_active(&self) -> bool {
-        let mut inner = self.inner.iter().flat_map(|g| &g.branches);
-        self.is_active || inner.any(Branch::is_active)
-    }
-
-    /// Takes note of a token.
-    fn add(&mut self, program: &Program, token: Span) {
-        match is_inactive(program, token) {
-            true => self.is_unread = true,
-            false => self.is_active = true,
-        }
-    }
 }
 
 impl Document {
@@ -102,7 +81,7 @@ impl Document {
 /// The texts in which every branch of a document's shaders is compiled at least once, apart from
 /// those that are compiled anyway.
 fn other_branches(document: &Document) -> Vec<String> {
-    let mut codes: Vec<(Span, Vec<ConditionalGroup>)> = Vec::new();
+    let mut codes: Vec<(Span, CodeGroups)> = Vec::new();
     for (program, _) in document.shaders() {
         // The first inactive code may be that of an included file.
         let inactive = program.tokens.inactive.iter();
@@ -113,166 +92,232 @@ fn other_branches(document: &Document) -> Vec<String> {
             }
             if let Some(code) = document.report.sources.code_at(span.start) {
                 let span = Span::new(code.base, code.base + code.text.len() as u32);
-                codes.push((span, groups(code.text, code.base, program)));
+                codes.push((span, CodeGroups::of(code.text, code.base, program)));
             }
         }
     }
     let mut texts = Vec::new();
-    let is_needed = |g: &ConditionalGroup| g.branches.iter().any(Branch::is_needed);
-    while texts.len() < MOST && codes.iter().any(|(_, all)| all.iter().any(is_needed)) {
+    while texts.len() < MOST && codes.iter().any(|(_, code)| code.any(None, &is_unread)) {
         let mut blank = Vec::new();
-        for (_, groups) in &mut codes {
+        for (_, code) in &mut codes {
             let mut chosen = Choices::default();
-            if !select_unread(groups, &mut chosen) {
+            if !code.select_unread(None, &mut chosen) {
                 // What remains contradicts the conditions around it.
                 chosen = Choices {
                     is_free: true,
                     ..Choices::default()
                 };
-                select_unread(groups, &mut chosen);
+                code.select_unread(None, &mut chosen);
             }
-            select_others(groups, &chosen, &mut blank);
+            code.select_others(None, &chosen, &mut blank);
         }
         texts.push(blanked(document, &blank));
     }
     texts
 }
 
-/// Selects branches that no text so far compiles, as far as their conditions agree. Returns
-/// whether there are some.
-fn select_unread(groups: &mut [ConditionalGroup], chosen: &mut Choices) -> bool {
-    let mut any = false;
-    for group in groups {
-        let allowed = |i: usize| chosen.allow(&group.branches, i);
-        let needed = |i: &usize| group.branches.get(*i).is_some_and(Branch::is_needed);
-        let found = (0..group.branches.len())
-            .filter(needed)
-            .find(|i| allowed(*i));
-        let Some(i) = found else {
-            continue;
-        };
-        group.selected = Some(i);
-        chosen.choose(&group.branches, i);
-        if let Some(branch) = group.branches.get_mut(i) {
-            any |= std::mem::take(&mut branch.is_unread);
-            any |= select_unread(&mut branch.inner, chosen);
-        }
-    }
-    any
+fn is_unread(branch: &BranchState) -> bool {
+    branch.is_unread
 }
 
-/// Selects a branch of each other group, and adds all code that is not selected to `blank`.
-fn select_others(groups: &mut [ConditionalGroup], chosen: &Choices, blank: &mut Vec<Span>) {
-    for group in groups {
-        let by_choice = || {
-            let mut all = 0..group.branches.len();
-            all.find(|i| chosen.require(&group.branches, *i))
-        };
-        let active = || group.branches.iter().position(Branch::is_active);
-        let allowed = |i: &usize| chosen.allow(&group.branches, *i);
-        let selected = group.selected.take().or_else(by_choice);
-        let selected = selected.or_else(|| active().filter(allowed));
-        blank.append(&mut group.directives.clone());
-        for (i, branch) in group.branches.iter_mut().enumerate() {
-            if selected == Some(i) {
-                select_others(&mut branch.inner, chosen, blank);
-            } else {
-                blank.push(branch.span);
+impl<'t> CodeGroups<'t> {
+    /// The groups of a text.
+    fn of(text: &'t str, base: u32, program: &Program) -> CodeGroups<'t> {
+        let mut groups: ConditionalGroups<BranchState> = ConditionalGroups::default();
+        for item in raw_items(&tokenize(text, base)) {
+            if let Some(directive) = ConditionalDirective::read(&item, text, base) {
+                let state = BranchState {
+                    line: directive.span,
+                    condition: MacroCondition::of(&directive),
+                    is_active: false,
+                    is_unread: false,
+                };
+                groups.add(directive.effect, state);
+                continue;
+            }
+            let first = match item {
+                RawItem::Directive(hash, _) => hash,
+                RawItem::Token(token) if token.kind == RawKind::Word => token,
+                RawItem::Token(_) => continue,
+            };
+            let around = groups.current().and_then(|id| groups.branch_mut(id));
+            if let Some(branch) = around.map(|branch| &mut branch.directive) {
+                match is_inactive(program, first.span) {
+                    true => branch.is_unread = true,
+                    false => branch.is_active = true,
+                }
             }
         }
+        CodeGroups {
+            selected: vec![None; groups.all.len()],
+            groups,
+        }
+    }
+
+    /// The groups in a branch, or outside of all groups. Those without `#endif` are errors, and
+    /// left alone with all that is in them.
+    fn inner(&self, around: Option<BranchId>) -> Vec<usize> {
+        let branch = |(group, at): BranchId| self.groups.all.get(group)?.branches.get(at);
+        let all = match around {
+            Some(id) => branch(id).map_or(Vec::new(), |b| b.inner.clone()),
+            None => {
+                let all = self.groups.all.iter().zip(0..);
+                let outermost = all.filter(|(group, _)| group.around.is_none());
+                outermost.map(|(_, index)| index).collect()
+            }
+        };
+        let is_whole = |at: &usize| {
+            let group = self.groups.all.get(*at);
+            group.is_some_and(|g| g.end.is_some() && g.depth < DEEPEST)
+        };
+        all.into_iter().filter(is_whole).collect()
+    }
+
+    /// Whether there is such a branch.
+    fn any(&self, around: Option<BranchId>, is_such: &dyn Fn(&BranchState) -> bool) -> bool {
+        let groups = self.inner(around).into_iter();
+        let mut branches = groups.flat_map(|g| self.ids(g));
+        branches.any(|id| self.has(id, is_such))
+    }
+
+    /// Whether a branch or one inside it is such a branch.
+    fn has(&self, id: BranchId, is_such: &dyn Fn(&BranchState) -> bool) -> bool {
+        let own = self.branches(id.0).get(id.1);
+        own.is_some_and(|b| is_such(&b.directive)) || self.any(Some(id), is_such)
+    }
+
+    fn branches(&self, group: usize) -> &[GroupBranch<BranchState<'t>>] {
+        let group = self.groups.all.get(group);
+        group.map_or(&[], |group| &group.branches)
+    }
+
+    fn ids(&self, group: usize) -> impl Iterator<Item = BranchId> + use<> {
+        (0..self.branches(group).len()).map(move |at| (group, at))
+    }
+
+    /// Selects branches that no text so far compiles, as far as their conditions agree. Returns
+    /// whether there are some.
+    fn select_unread(&mut self, around: Option<BranchId>, chosen: &mut Choices<'t>) -> bool {
+        let mut any = false;
+        for group in self.inner(around) {
+            let mut needed = self.ids(group).filter(|id| self.has(*id, &is_unread));
+            let Some(id) = needed.find(|id| chosen.allow(self.branches(group), id.1)) else {
+                continue;
+            };
+            if let Some(selected) = self.selected.get_mut(group) {
+                *selected = Some(id.1);
+            }
+            chosen.choose(self.branches(group), id.1);
+            if let Some(branch) = self.groups.branch_mut(id) {
+                any |= std::mem::take(&mut branch.directive.is_unread);
+            }
+            any |= self.select_unread(Some(id), chosen);
+        }
+        any
+    }
+
+    /// Selects a branch of each other group, and adds all code that is not selected to `blank`.
+    fn select_others(&mut self, around: Option<BranchId>, chosen: &Choices, blank: &mut Vec<Span>) {
+        for group in self.inner(around) {
+            let branches = self.branches(group);
+            let by_choice = || (0..branches.len()).find(|at| chosen.require(branches, *at));
+            let active = || self.ids(group).find(|id| self.has(*id, &|b| b.is_active));
+            let allowed = |at: &usize| chosen.allow(branches, *at);
+            let selected = self.selected.get(group).copied().flatten();
+            let selected = selected.or_else(by_choice);
+            let selected = selected.or_else(|| active().map(|id| id.1).filter(allowed));
+            let lines = self.groups.all.get(group).into_iter();
+            let lines: Vec<Span> = lines.flat_map(|g| g.directives()).map(|d| d.line).collect();
+            if let Some(selected) = self.selected.get_mut(group) {
+                *selected = None;
+            }
+            for (at, pair) in lines.windows(2).enumerate() {
+                match pair {
+                    _ if selected == Some(at) => {
+                        self.select_others(Some((group, at)), chosen, blank)
+                    }
+                    [from, to] => blank.push(Span::new(from.end, to.start)),
+                    _ => {}
+                }
+            }
+            blank.extend(lines);
+        }
     }
 }
 
-/// The condition of a branch, if it compares one macro with a number. A macro that is not defined
-/// is 0.
-#[derive(Clone, Default)]
-struct MacroCondition {
-    /// Name of the macro; empty for any other condition.
-    name: String,
-    value: String,
+/// The condition of a branch that compares one macro with a number. A macro that is not defined is
+/// 0.
+#[derive(Clone, Copy)]
+struct MacroCondition<'t> {
+    name: &'t str,
+    value: &'t str,
     /// Whether the macro must have the value, or another one.
     is_equal: bool,
 }
 
-impl MacroCondition {
+impl<'t> MacroCondition<'t> {
     /// Reads `#ifdef A`, `#if !defined(A)`, `#if A`, `#if A == 1`.
-    fn of(directive: &str, words: &[&str]) -> MacroCondition {
-        let words: Vec<&str> = words
-            .iter()
-            .copied()
-            .filter(|w| !matches!(*w, "(" | ")"))
-            .collect();
-        let none = ("", "0", false);
-        let (name, value, is_equal) = match (directive, words.as_slice()) {
-            ("ifdef", [name]) => (*name, "0", false),
-            ("ifndef", [name]) => (*name, "0", true),
-            (_, ["defined", name] | [name]) => (*name, "0", false),
-            (_, ["!", "defined", name] | ["!", name]) => (*name, "0", true),
-            (_, [name, "==", value]) => (*name, *value, true),
-            (_, [name, "!=", value]) => (*name, *value, false),
-            _ => none,
+    fn of(directive: &ConditionalDirective<'t>) -> Option<MacroCondition<'t>> {
+        let test = directive.only_test()?;
+        let (value, is_equal) = match test.kind {
+            MacroTestKind::Defined | MacroTestKind::Value => ("0", test.is_negated),
+            MacroTestKind::Compared("==", value) => (value, true),
+            MacroTestKind::Compared("!=", value) => (value, false),
+            MacroTestKind::Compared(..) => return None,
         };
-        let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        MacroCondition {
-            name: if is_name {
-                name.to_string()
-            } else {
-                String::new()
-            },
-            value: value.to_string(),
+        let name = test.name;
+        Some(MacroCondition {
+            name,
+            value,
             is_equal,
-        }
+        })
     }
 }
 
 /// What the selected branches say about macros.
 #[derive(Default)]
-struct Choices {
-    facts: Vec<MacroCondition>,
+struct Choices<'t> {
+    facts: Vec<MacroCondition<'t>>,
     /// Whether contradictions are allowed.
     is_free: bool,
 }
 
-impl Choices {
-    /// Whether a condition holds; `None` if both is possible.
-    fn holds(&self, condition: &MacroCondition) -> Option<bool> {
-        let about = self
-            .facts
-            .iter()
-            .filter(|f| f.name == condition.name && !f.name.is_empty());
-        let mut known =
-            about.filter_map(
-                |fact| match (fact.is_equal, fact.value == condition.value) {
-                    (true, is_same) => Some(is_same == condition.is_equal),
-                    (false, true) => Some(!condition.is_equal),
-                    (false, false) => None,
-                },
-            );
-        known.next()
+impl<'t> Choices<'t> {
+    /// Whether the condition of a branch holds; `None` if both is possible.
+    fn holds(&self, branch: &GroupBranch<BranchState>) -> Option<bool> {
+        let condition = branch.directive.condition?;
+        let mut about = self.facts.iter().filter(|f| f.name == condition.name);
+        about.find_map(
+            |fact| match (fact.is_equal, fact.value == condition.value) {
+                (true, is_same) => Some(is_same == condition.is_equal),
+                (false, true) => Some(!condition.is_equal),
+                (false, false) => None,
+            },
+        )
     }
 
     /// Whether a branch of a group may be compiled.
-    fn allow(&self, branches: &[Branch], at: usize) -> bool {
-        let earlier = branches.iter().take(at);
-        let mut earlier = earlier.map(|b| self.holds(&b.condition));
-        let own = branches.get(at).map(|b| self.holds(&b.condition));
+    fn allow(&self, branches: &[GroupBranch<BranchState>], at: usize) -> bool {
+        let mut earlier = branches.iter().take(at).map(|b| self.holds(b));
+        let own = branches.get(at).map(|b| self.holds(b));
         self.is_free || own != Some(Some(false)) && earlier.all(|held| held != Some(true))
     }
 
     /// Whether a branch of a group must be compiled.
-    fn require(&self, branches: &[Branch], at: usize) -> bool {
-        let own = branches.get(at).and_then(|b| self.holds(&b.condition));
+    fn require(&self, branches: &[GroupBranch<BranchState>], at: usize) -> bool {
+        let own = branches.get(at).and_then(|b| self.holds(b));
         own == Some(true) && self.allow(branches, at)
     }
 
-    fn choose(&mut self, branches: &[Branch], at: usize) {
-        let earlier = branches.iter().take(at).map(|b| MacroCondition {
-            is_equal: !b.condition.is_equal,
-            ..b.condition.clone()
+    fn choose(&mut self, branches: &[GroupBranch<BranchState<'t>>], at: usize) {
+        let condition = |b: &GroupBranch<BranchState<'t>>| b.directive.condition;
+        let earlier = branches.iter().take(at).filter_map(condition);
+        let earlier = earlier.map(|c| MacroCondition {
+            is_equal: !c.is_equal,
+            ..c
         });
-        let own = branches.get(at).map(|b| b.condition.clone());
-        self.facts
-            .extend(earlier.chain(own).filter(|c| !c.name.is_empty()));
+        let own = branches.get(at).and_then(condition);
+        self.facts.extend(earlier.chain(own));
     }
 }
 
@@ -294,78 +339,4 @@ fn blanked(document: &Document, blank: &[Span]) -> String {
         }
     }
     String::from_utf8(bytes).unwrap_or_default()
-}
-
-/// The conditional groups of some code.
-fn groups(text: &str, base: u32, program: &Program) -> Vec<ConditionalGroup> {
-    let mut open = vec![ConditionalGroup::default()];
-    // The code around all groups is the branch of a group without directives.
-    open.iter_mut()
-        .for_each(|g| g.branches.push(Branch::default()));
-    let tokens = tokenize(text, base);
-    let word = |t: &RawToken| {
-        let range = (t.span.start - base) as usize..(t.span.end - base) as usize;
-        text.get(range).unwrap_or("")
-    };
-    for item in raw_items(&tokens) {
-        let first = match item {
-            RawItem::Directive(hash, line) => {
-                let words = line.iter().filter(|t| !is_blank(t.kind)).map(word);
-                let words: Vec<&str> = words.collect();
-                let span = line
-                    .last()
-                    .map_or(hash.span, |last| hash.span.to(last.span));
-                if directive(&mut open, &words, span) {
-                    continue;
-                }
-                hash
-            }
-            RawItem::Token(token) if token.kind == RawKind::Word => token,
-            RawItem::Token(_) => continue,
-        };
-        if let Some(branch) = open.last_mut().and_then(|g| g.branches.last_mut()) {
-            branch.add(program, first.span);
-        }
-    }
-    // A group without `#endif` is an error, and left alone.
-    open.truncate(1);
-    let around = open.pop().and_then(|mut g| g.branches.pop());
-    around.map_or(Vec::new(), |branch| branch.inner)
-}
-
-/// Opens, continues or closes a group; returns whether the directive is one that does.
-fn directive(open: &mut Vec<ConditionalGroup>, words: &[&str], line: Span) -> bool {
-    let [name, words @ ..] = words else {
-        return false;
-    };
-    let next = Branch {
-        span: Span::at(line.end),
-        condition: MacroCondition::of(name, words),
-        ..Branch::default()
-    };
-    if matches!(*name, "if" | "ifdef" | "ifndef") && open.len() < DEEPEST {
-        open.push(ConditionalGroup {
-            directives: vec![line],
-            branches: vec![next],
-            selected: None,
-        });
-        return true;
-    }
-    if !matches!(*name, "elif" | "else" | "endif") || open.len() < 2 {
-        return false;
-    }
-    let Some(mut group) = open.pop() else {
-        return false;
-    };
-    group.directives.push(line);
-    if let Some(last) = group.branches.last_mut() {
-        last.span = Span::new(last.span.start, line.start);
-    }
-    if *name != "endif" {
-        group.branches.push(next);
-        open.push(group);
-    } else if let Some(outer) = open.last_mut().and_then(|g| g.branches.last_mut()) {
-        outer.inner.push(group);
-    }
-    true
 }

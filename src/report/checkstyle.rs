@@ -2,7 +2,7 @@
 
 use super::others::{placed_message, with_advice};
 use super::place::region;
-use super::xml::Element;
+use super::xml::XmlElement;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_text::Sources;
 
@@ -18,7 +18,7 @@ pub fn file(name: &str, sources: &Sources, found: &[Diagnostic]) -> String {
     let errors = found.iter().map(|d| {
         let (line, column) = region(sources, d.span).map_or((1, 1), |(s, _)| (s.line, s.column));
         let message = with_advice(placed_message(sources, d), d);
-        let error = Element::new("error")
+        let error = XmlElement::new("error")
             .with("line", line)
             .with("column", column);
         let error = error.with("severity", d.severity.name());
@@ -27,6 +27,6 @@ pub fn file(name: &str, sources: &Sources, found: &[Diagnostic]) -> String {
     });
     format!(
         "{:2}",
-        Element::new("file").with("name", name).children(errors)
+        XmlElement::new("file").with("name", name).children(errors)
     )
 }

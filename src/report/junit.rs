@@ -3,7 +3,7 @@
 
 use super::human::render;
 use super::others::placed_message;
-use super::xml::Element;
+use super::xml::XmlElement;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::Sources;
 
@@ -13,22 +13,22 @@ pub fn begin(name: &str) -> String {
 }
 
 /// The suite of a file; the last two arguments count its cases that failed and were skipped.
-pub fn suite(name: &str, cases: Vec<Element>, failed: usize, skipped: usize) -> String {
-    let suite = Element::new("testsuite").with("name", name);
+pub fn suite(name: &str, cases: Vec<XmlElement>, failed: usize, skipped: usize) -> String {
+    let suite = XmlElement::new("testsuite").with("name", name);
     let suite = suite.with("tests", cases.len()).with("failures", failed);
     let suite = suite.with("errors", 0).with("skipped", skipped);
     format!("{:2}", suite.children(cases))
 }
 
 /// A case that passed.
-pub fn case(class: &str, name: &str) -> Element {
-    let case = Element::new("testcase").with("classname", class);
+pub fn case(class: &str, name: &str) -> XmlElement {
+    let case = XmlElement::new("testcase").with("classname", class);
     case.with("name", name)
 }
 
 /// Why a case failed.
-pub fn failure(kind: &str, message: &str, text: &str) -> Element {
-    let failure = Element::new("failure").with("type", kind);
+pub fn failure(kind: &str, message: &str, text: &str) -> XmlElement {
+    let failure = XmlElement::new("failure").with("type", kind);
     failure.with("message", message).text(text)
 }
 
@@ -45,13 +45,13 @@ pub(super) fn file(name: &str, sources: &Sources, found: &[Diagnostic]) -> Strin
     suite(name, cases, failures.count(), 0)
 }
 
-fn finding(name: &str, sources: &Sources, d: &Diagnostic) -> Element {
+fn finding(name: &str, sources: &Sources, d: &Diagnostic) -> XmlElement {
     let file = sources.file_at(d.span.start);
     let position = file.map(|f| f.position(d.span.start));
     let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
     let text = render(sources, d);
     let content = match d.severity {
-        Severity::Info => Element::new("system-out").text(text.trim_end()),
+        Severity::Info => XmlElement::new("system-out").text(text.trim_end()),
         severity => {
             let message = placed_message(sources, d);
             failure(severity.name(), &message, text.trim_end())

@@ -4,17 +4,17 @@ use super::place::xml;
 use std::fmt::{self, Display};
 
 /// An element. It is shown on lines of its own, indented by the width of the format.
-pub struct Element {
+pub struct XmlElement {
     name: &'static str,
     attributes: String,
     text: String,
-    children: Vec<Element>,
+    children: Vec<XmlElement>,
 }
 
-impl Element {
+impl XmlElement {
     /// An element without attributes and content.
-    pub fn new(name: &'static str) -> Element {
-        Element {
+    pub fn new(name: &'static str) -> XmlElement {
+        XmlElement {
             name,
             attributes: String::new(),
             text: String::new(),
@@ -23,26 +23,26 @@ impl Element {
     }
 
     /// Adds an attribute.
-    pub fn with(mut self, name: &str, value: impl Display) -> Element {
+    pub fn with(mut self, name: &str, value: impl Display) -> XmlElement {
         let value = xml(&value.to_string());
         self.attributes.push_str(&format!(" {name}=\"{value}\""));
         self
     }
 
     /// Sets the text.
-    pub fn text(mut self, text: &str) -> Element {
+    pub fn text(mut self, text: &str) -> XmlElement {
         self.text = xml(text);
         self
     }
 
     /// Adds elements.
-    pub fn children(mut self, children: impl IntoIterator<Item = Element>) -> Element {
+    pub fn children(mut self, children: impl IntoIterator<Item = XmlElement>) -> XmlElement {
         self.children.extend(children);
         self
     }
 }
 
-impl Display for Element {
+impl Display for XmlElement {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let indent = f.width().unwrap_or(0);
         let (name, attributes, text) = (self.name, &self.attributes, &self.text);

@@ -1,9 +1,10 @@
 //! Checks one shader from its files to the problems in it, as data.
 
 use super::builtins::Stage;
-use super::checker::{MAX_ERRORS, ParsedShader, check};
+use super::checker::{ParsedShader, check};
 use super::corrections::{Corrected, Recheck};
 use super::dialect::Dialect;
+use super::problem::MAX_ERRORS;
 use super::problem::Problems;
 use super::program::Program;
 use super::unit::{Completeness, Unit};

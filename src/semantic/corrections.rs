@@ -135,7 +135,7 @@ fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checker::MAX_ERRORS;
+    use crate::problem::MAX_ERRORS;
     use crate::{Completeness, Dialect, Pass, Stage};
     use shaderlint_syntax::{Search, parse, preprocess};
     use shaderlint_text::{Role, Sources};

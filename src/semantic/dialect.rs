@@ -3,7 +3,7 @@
 use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
 use rustc_hash::FxHashSet;
-use shaderlint_syntax::{Feature, Version};
+use shaderlint_syntax::{ConditionalGroups, Feature, GroupDirective, Version};
 use std::ops::Range;
 
 /// Extensions of WebGL1, and the features of WebGL2 that replace them.
@@ -327,18 +327,18 @@ enum TextLine {
     Directive,
 }
 
-/// The open `#if` groups of a text: whether each is skipped, as far as its line shows.
+/// The `#if` groups of a text, by whether each branch is skipped as far as its line shows.
 #[derive(Default)]
-struct Groups<'t> {
-    off: Vec<bool>,
+struct SkippedBranches<'t> {
+    groups: ConditionalGroups<bool>,
     /// The macros defined so far.
     defined: FxHashSet<&'t str>,
 }
 
-impl<'t> Groups<'t> {
+impl<'t> SkippedBranches<'t> {
     /// Whether the current line is skipped.
     fn is_off(&self) -> bool {
-        self.off.contains(&true)
+        self.groups.open().any(|is_off| *is_off)
     }
 
     /// Reads a directive; `rest` is the text after its name.
@@ -346,25 +346,16 @@ impl<'t> Groups<'t> {
         let rest = rest.lines().next().unwrap_or("");
         let end = |c: char| !c.is_ascii_alphanumeric() && c != '_';
         let word = rest.trim_start().split(end).next().unwrap_or("");
-        match name {
-            "define" => {
-                self.defined.insert(word);
-            }
-            "if" => self.off.push(rest.trim() == "0"),
-            "ifdef" => {
-                let is_on = word.starts_with("GL_") || self.defined.contains(word);
-                self.off.push(!is_on);
-            }
-            "ifndef" => self.off.push(false),
-            "else" | "elif" => {
-                if let Some(off) = self.off.last_mut() {
-                    *off = false;
-                }
-            }
-            "endif" => {
-                self.off.pop();
-            }
-            _ => {}
+        if name == "define" {
+            self.defined.insert(word);
+        }
+        let is_off = match name {
+            "if" => rest.trim() == "0",
+            "ifdef" => !word.starts_with("GL_") && !self.defined.contains(word),
+            _ => false,
+        };
+        if let Some(effect) = GroupDirective::of(name) {
+            self.groups.add(effect, is_off);
         }
     }
 }
@@ -396,7 +387,7 @@ impl Seen {
         let mut after_hash = false;
         let mut last = "";
         let mut line = TextLine::Code;
-        let mut groups = Groups::default();
+        let mut groups = SkippedBranches::default();
         let may_be_vertex = VERTEX_WORDS.iter().any(|w| text.contains(w));
         while may_be_vertex || !self.version {
             let token = lexer.next_token();

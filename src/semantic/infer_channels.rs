@@ -1,7 +1,8 @@
 //! Checks a parsed shader and infers the types of its channels where they are unknown.
 
 use super::channels::needed_channels;
-use super::checker::{MAX_ERRORS, ParsedShader, check};
+use super::checker::{ParsedShader, check};
+use super::problem::MAX_ERRORS;
 use super::problem::Problems;
 use super::program::Program;
 use super::types::Sampler;

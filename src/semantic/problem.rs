@@ -2,14 +2,17 @@
 
 pub use super::checker::{
     ArgumentError, ArrayError, CallError, Condition, DeclarationError, EntryError, ExpressionError,
-    ForeignError, FunctionError, Indexed, InterfaceError, LayoutError, LimitError, MAX_ERRORS,
-    NameError, OutputError, Owner, PlaceError, QualifierError, RecordError, RecordKind,
-    Restriction, StatementError, StorageRequest, SwitchError, ValueError, Writer,
+    ForeignError, FunctionError, Indexed, InterfaceError, LayoutError, LimitError, NameError,
+    OutputError, Owner, PlaceError, QualifierError, RecordError, RecordKind, Restriction,
+    StatementError, StorageRequest, SwitchError, ValueError, Writer,
 };
 use super::program::{FunctionRef, VariableId};
 use super::scope::{ScopeLog, ScopeMark};
 use super::types::Type;
 use shaderlint_syntax::ast::{ExprId, Extent, Ident};
+
+/// Most errors that are reported in one shader.
+pub const MAX_ERRORS: usize = 200;
 
 /// A problem, and the state of the checker when it was found.
 #[derive(Debug)]

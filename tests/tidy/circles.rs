@@ -29,11 +29,11 @@ const LEFT: &[&[&str]] = &[
     &[
         "src/lint/context.rs",
         "src/lint/facts.rs",
+        "src/lint/march/hit.rs",
         "src/lint/option.rs",
         "src/lint/rule.rs",
         "src/lint/sample/bench.rs",
         "src/lint/sample/culprit.rs",
-        "src/lint/march/hit.rs",
         "src/lint/sample/mod.rs",
         "src/lint/sample/more_iterations.rs",
         "src/lint/sample/pixels.rs",
@@ -50,12 +50,9 @@ const LEFT: &[&[&str]] = &[
         "src/port/dialect/kodi.rs",
         "src/port/dialect/mod.rs",
         "src/port/dialect/niri.rs",
-        "src/port/dialect/shadered.rs",
         "src/port/dialect/shadertoy.rs",
-        "src/port/dialect/synthclipse.rs",
         "src/port/dialect/three.rs",
         "src/port/dialect/twigl.rs",
-        "src/port/dialect/veda.rs",
         "src/port/dialect/vertex.rs",
         "src/port/dialect/vertexshaderart.rs",
         "src/port/dialect/vscode.rs",
@@ -102,6 +99,7 @@ const LEFT_OF_FOLDERS: &[&[&str]] = &[
     &[
         "src/lint/context.rs",
         "src/lint/facts.rs",
+        "src/lint/march/",
         "src/lint/option.rs",
         "src/lint/rule.rs",
         "src/lint/sample/",
@@ -113,7 +111,7 @@ const LEFT_OF_FOLDERS: &[&[&str]] = &[
         "src/port/project.rs",
         "src/port/signature.rs",
     ],
-    &["src/semantic/root_cause/", "src/semantic/single_pass.rs"],
+    &["src/explain/root_cause/", "src/explain/single_pass.rs"],
     &["src/syntax/parser/", "src/syntax/translation/"],
 ];
 

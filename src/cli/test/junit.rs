@@ -3,7 +3,7 @@
 
 use super::outcome::{Status, Tally, TestRow};
 use crate::report::junit::{self, END, begin, failure, suite};
-use crate::report::xml::Element;
+use crate::report::xml::XmlElement;
 
 /// The report.
 pub fn junit(tally: &Tally) -> String {
@@ -17,7 +17,7 @@ pub fn junit(tally: &Tally) -> String {
     format!("{}{suites}{END}", begin("shaderlint test"))
 }
 
-fn case(row: &TestRow) -> Element {
+fn case(row: &TestRow) -> XmlElement {
     let name = if row.name.is_empty() {
         "file"
     } else {
@@ -28,7 +28,7 @@ fn case(row: &TestRow) -> Element {
         case = case.with("line", line);
     }
     let property = |name: &str, value: &str| {
-        let property = Element::new("property").with("name", name);
+        let property = XmlElement::new("property").with("name", name);
         property.with("value", value)
     };
     let parameters = row.parameters.iter();
@@ -37,9 +37,9 @@ fn case(row: &TestRow) -> Element {
         .operations
         .map(|n| property("operations", &n.to_string()));
     let written = row.written.as_ref().map(|path| property("written", path));
-    let properties: Vec<Element> = parameters.chain(operations).chain(written).collect();
+    let properties: Vec<XmlElement> = parameters.chain(operations).chain(written).collect();
     if !properties.is_empty() {
-        case = case.children([Element::new("properties").children(properties)]);
+        case = case.children([XmlElement::new("properties").children(properties)]);
     }
     match row.status {
         Status::Passed | Status::Recorded => case,
@@ -50,7 +50,7 @@ fn case(row: &TestRow) -> Element {
         Status::ExpectedFailure => {
             let reason = row.expected_failure.as_deref().unwrap_or("");
             let why = format!("expected failure: {reason}");
-            case.children([Element::new("skipped").with("message", why)])
+            case.children([XmlElement::new("skipped").with("message", why)])
         }
     }
 }

@@ -1,6 +1,9 @@
 //! Finds the include directives of a text, and whether it may be included twice.
 
-use shaderlint_syntax::{Lexer, RawKind, TokenKind};
+use shaderlint_syntax::{
+    ConditionalDirective, ConditionalGroups, Lexer, MacroTestKind, RawKind, TokenKind, raw_items,
+    tokenize,
+};
 use std::sync::Arc;
 
 /// Maximum number of restarts after a path that contains comment delimiters.
@@ -87,8 +90,7 @@ pub fn scan(text: &str) -> Scan {
             is_guarded: true,
             ..Scan::default()
         },
-        groups: Vec::new(),
-        guards: 0,
+        groups: ConditionalGroups::default(),
         depth: 0,
         brackets: 0,
         last: "",
@@ -101,20 +103,18 @@ pub fn scan(text: &str) -> Scan {
     scanner.found
 }
 
-/// An `#if` group.
-struct IfGroup<'a> {
-    /// The name in `#ifndef`.
+/// A branch of an `#if` group.
+struct ScannedBranch<'a> {
+    /// The macro that must not be defined.
     guard: Option<&'a str>,
-    /// Whether the name was defined right after it.
+    /// Whether the branch defines it, as an include guard does.
     is_guard: bool,
 }
 
 struct Scanner<'a> {
     text: &'a str,
     found: Scan,
-    groups: Vec<IfGroup<'a>>,
-    /// The number of groups that are guards.
-    guards: usize,
+    groups: ConditionalGroups<ScannedBranch<'a>>,
     depth: u32,
     /// Number of open parentheses.
     brackets: u32,
@@ -168,7 +168,7 @@ impl<'a> Scanner<'a> {
     }
 
     fn code(&mut self, kind: RawKind, word: &'a str) {
-        self.found.is_guarded &= self.guards > 0;
+        self.found.is_guarded &= self.groups.open().any(|b| b.is_guard);
         let was_after_bracket = std::mem::take(&mut self.is_after_bracket);
         let at_top = self.depth == 0 && self.brackets == 0;
         match kind {
@@ -212,38 +212,28 @@ impl<'a> Scanner<'a> {
         match word {
             "include" | "import" => return self.names(start, rest, Form::Put),
             "pragma" => return self.pragma(start, rest),
-            "ifndef" => self.open(Some(first_word(rest).0)),
-            "if" => {
-                let asked = rest.trim_start().strip_prefix('!').map(str::trim_start);
-                let asked = asked.and_then(|r| r.strip_prefix("defined"));
-                let asked = asked.map(|r| r.trim_start_matches([' ', '\t', '(']));
-                let (name, more) = first_word(asked.unwrap_or(""));
-                let is_alone = !name.is_empty() && !more.contains(['&', '|']);
-                self.open(is_alone.then_some(name));
-            }
-            "ifdef" => self.open(None),
-            "else" | "elif" => {
-                self.close();
-                self.open(None);
-            }
-            "endif" => self.close(),
             "define" => self.define(rest),
             "undef" => self.found.undefined.push(first_word(rest).0.to_string()),
-            _ => {}
+            _ => self.group(start),
         }
         0
     }
 
-    fn open(&mut self, guard: Option<&'a str>) {
-        self.groups.push(IfGroup {
-            guard,
+    fn group(&mut self, start: usize) {
+        let text = self.text.get(start..self.line_end).unwrap_or("");
+        let tokens = tokenize(text, 0);
+        let item = raw_items(&tokens).into_iter().next();
+        let directive = item.and_then(|item| ConditionalDirective::read(&item, text, 0));
+        let Some(directive) = directive else {
+            return;
+        };
+        let test = directive.only_test();
+        let asked = test.filter(|t| t.is_negated && t.kind == MacroTestKind::Defined);
+        let branch = ScannedBranch {
+            guard: asked.map(|t| t.name),
             is_guard: false,
-        });
-    }
-
-    fn close(&mut self) {
-        let was_guard = self.groups.pop().is_some_and(|g| g.is_guard);
-        self.guards -= usize::from(was_guard);
+        };
+        self.groups.add(directive.effect, branch);
     }
 
     /// The macro of an include guard has no replacement text.
@@ -252,13 +242,11 @@ impl<'a> Scanner<'a> {
         self.found.defined.push(name.to_string());
         let body = body.split("//").next().unwrap_or("");
         let body = body.split("/*").next().unwrap_or("").trim();
-        if let Some(group) = self.groups.last_mut()
-            && group.guard == Some(name)
-            && !name.is_empty()
-            && !group.is_guard
+        let current = self.groups.current();
+        if let Some(branch) = current.and_then(|id| self.groups.branch_mut(id))
+            && branch.directive.guard == Some(name)
         {
-            group.is_guard = body.is_empty() || body == "1";
-            self.guards += usize::from(group.is_guard);
+            branch.directive.is_guard |= body.is_empty() || body == "1";
         }
     }
 
@@ -361,7 +349,7 @@ impl<'a> Scanner<'a> {
                 manner,
             },
             form,
-            is_conditional: self.groups.len() > self.guards,
+            is_conditional: self.groups.open().any(|b| !b.is_guard),
             depth: self.depth,
         });
         end

@@ -3,7 +3,7 @@
 use super::FaultyShader;
 use super::candidate::RepairCandidate;
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
-use shaderlint_syntax::DIRECTIVES;
+use shaderlint_syntax::{DIRECTIVES, GroupDirective};
 use shaderlint_text::{Edit, Role, Span};
 
 /// Maximum number of positions tried for one `#endif`.
@@ -95,6 +95,11 @@ fn directive(line: &str) -> Option<&str> {
     word.get(..end.unwrap_or(word.len()))
 }
 
+/// What a line's directive does to groups.
+fn group_directive(line: &str) -> Option<GroupDirective> {
+    GroupDirective::of(directive(line)?)
+}
+
 impl FaultyShader<'_> {
     /// Positions where a missing `#endif` may belong, most likely first.
     pub(super) fn conditionals(&self) -> Vec<RepairCandidate> {
@@ -103,7 +108,7 @@ impl FaultyShader<'_> {
             .errors
             .iter()
             .filter(is_open)
-            .find(|d| directive(self.text(d.span)).is_some_and(|word| word.starts_with("if")))
+            .find(|d| group_directive(self.text(d.span)) == Some(GroupDirective::Opens))
         else {
             return self.lost_openings();
         };
@@ -159,10 +164,10 @@ impl FaultyShader<'_> {
     /// paragraphs.
     fn lost_openings(&self) -> Vec<RepairCandidate> {
         let is_lone = |d: &&Diagnostic| {
-            let word = directive(self.text(d.span));
+            let effect = group_directive(self.text(d.span));
             d.is(error::UNBALANCED_CONDITIONAL)
                 && d.labels.is_empty()
-                && matches!(word, Some("else" | "elif" | "endif"))
+                && effect.is_some_and(|effect| effect != GroupDirective::Opens)
         };
         let Some(found) = self.errors.iter().find(is_lone) else {
             return Vec::new();
@@ -187,9 +192,9 @@ impl FaultyShader<'_> {
                 .lines()
                 .next_back()
                 .unwrap_or("");
-            match directive(line) {
-                Some("endif") => depth += 1,
-                Some(word) if word.starts_with("if") => match depth.checked_sub(1) {
+            match group_directive(line) {
+                Some(GroupDirective::Closes) => depth += 1,
+                Some(GroupDirective::Opens) => match depth.checked_sub(1) {
                     Some(less) => depth = less,
                     None => break,
                 },
@@ -245,16 +250,16 @@ impl FaultyShader<'_> {
                 braces,
             });
             at += text.len() as u32;
-            match directive(text) {
-                Some(word) if word.starts_with("if") => depth += 1,
-                Some("endif") => depth = depth.saturating_sub(1),
-                Some("else" | "elif") if depth == 0 => braces = 0,
-                Some(_) => {}
-                None => {
+            match group_directive(text) {
+                Some(GroupDirective::Opens) => depth += 1,
+                Some(GroupDirective::Closes) => depth = depth.saturating_sub(1),
+                Some(GroupDirective::Alternates) if depth == 0 => braces = 0,
+                None if directive(text).is_none() => {
                     let code = text.split("//").next().unwrap_or("");
                     let count = |c| code.matches(c).count() as i32;
                     braces += count('{') - count('}');
                 }
+                _ => {}
             }
         }
         // The rest of the directive's own line.
@@ -294,7 +299,8 @@ impl FaultyShader<'_> {
 /// Indices of the lines before which the `#endif` may belong, most likely first.
 fn places(lines: &[Line], indent: usize) -> Vec<usize> {
     // After the last branch of the group.
-    let is_branch = |l: &Line| l.depth == 0 && matches!(l.directive(), "else" | "elif");
+    let alternates = Some(GroupDirective::Alternates);
+    let is_branch = |l: &Line| l.depth == 0 && group_directive(l.text) == alternates;
     let last_branch = lines.iter().rposition(is_branch);
     // Braces left open by earlier branches are left open by the last one too.
     let open = last_branch.and_then(|i| lines.get(i)).map(|l| l.braces);

@@ -1,12 +1,11 @@
 //! The edits of a conversion.
 
 use super::obstacle::{ObstacleKind, UpgradeObstacle};
-use super::scan::{RawScan, ScannedDirective, ScannedToken};
+use super::scan::{RawScan, ScannedToken};
 use super::words::WordMap;
-use shaderlint_semantic::CORE_EXTENSIONS;
 use shaderlint_semantic::builtins::Stage;
-use shaderlint_semantic::{Program, Storage};
-use shaderlint_semantic::{globals, late_values};
+use shaderlint_semantic::{CORE_EXTENSIONS, Program, Storage, globals, late_values};
+use shaderlint_syntax::GroupDirective;
 use shaderlint_text::{CompiledText, Edit, Span, remove_lines};
 
 /// Maps an offset after sorted edits to the text before them.
@@ -44,7 +43,7 @@ pub(super) fn directives(
             "pragma" if program.stage == Stage::Fragment && is_invariant_all(rest) => {
                 mark(&mut removed, index);
             }
-            "if" | "ifdef" | "ifndef" | "elif" => {
+            name if GroupDirective::of(name).is_some() => {
                 let Some(tested) = rest.iter().find(|t| is_extension(program, t)) else {
                     continue;
                 };
@@ -98,14 +97,16 @@ fn is_extension(program: &Program, token: &ScannedToken) -> bool {
 
 /// The `#endif` of a condition after which there is nothing but `#extension` of known extensions.
 fn extension_group(scan: &RawScan, index: usize) -> Option<usize> {
-    let start = scan.directives.get(index)?;
-    let rest = scan.directives.get(index + 1..)?.iter();
-    let held = rest.take_while(|d| d.name == "extension" && is_core(scan.rest(d)));
-    let end = index + 1 + held.count();
-    let last: &ScannedDirective = scan.directives.get(end).filter(|d| d.name == "endif")?;
+    let groups = scan.groups().all.into_iter();
+    let mut own = groups.filter(|g| g.directives().next() == Some(&index));
+    let group = own.next().filter(|g| g.branches.len() == 1)?;
+    let end = group.end?;
+    let mut held = scan.directives.get(index + 1..end)?.iter();
+    let (start, last) = (scan.directives.get(index)?, scan.directives.get(end)?);
     let inside = |span: Span| start.span.end <= span.start && span.end <= last.span.start;
     let mut code = scan.tokens.iter().filter(|t| t.directive.is_none());
-    (start.name != "elif" && !code.any(|t| inside(t.span))).then_some(end)
+    let is_known = held.all(|d| d.name == "extension" && is_core(scan.rest(d)));
+    (is_known && !code.any(|t| inside(t.span))).then_some(end)
 }
 
 /// Moves the initial values that are not constant in GLSL ES 3.00 to `main`.

@@ -1,6 +1,6 @@
 //! The raw words and directives of a shader.
 
-use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_syntax::{ConditionalGroups, GroupDirective, Lexer, RawKind};
 use shaderlint_text::{CompiledText, Span};
 
 /// A raw token that is not blank and no comment.
@@ -101,19 +101,27 @@ impl<'t> RawScan<'t> {
         self.tokens.iter().any(|t| t.is_word() && t.text == word)
     }
 
-    /// The start of the outermost `#if` that is open at an address.
-    pub fn open_group(&self, address: u32) -> Option<u32> {
-        let mut open: Vec<u32> = Vec::new();
-        let before = self.directives.iter();
-        for directive in before.take_while(|d| d.span.start < address) {
-            match directive.name {
-                "if" | "ifdef" | "ifndef" => open.push(directive.span.start),
-                "endif" => {
-                    open.pop();
-                }
-                _ => {}
+    /// The groups of `#if`, by the indices of their directives.
+    pub fn groups(&self) -> ConditionalGroups<usize> {
+        let mut groups = ConditionalGroups::default();
+        for (at, directive) in self.directives.iter().enumerate() {
+            if let Some(effect) = GroupDirective::of(directive.name) {
+                groups.add(effect, at);
             }
         }
-        open.first().copied()
+        groups
+    }
+
+    /// The start of the outermost `#if` that is open at an address.
+    pub fn open_group(&self, address: u32) -> Option<u32> {
+        let groups = self.groups().all.into_iter();
+        let mut spans = groups.map(|group| {
+            let at = |index: &usize| self.directives.get(*index).map(|d| d.span.start);
+            let start = group.directives().next().and_then(at);
+            (start, group.end.as_ref().and_then(at))
+        });
+        let is_open = |end: Option<u32>| end.is_none_or(|end| address <= end);
+        let found = spans.find(|(start, end)| start.is_some_and(|s| s < address) && is_open(*end));
+        found?.0
     }
 }

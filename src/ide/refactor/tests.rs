@@ -365,15 +365,6 @@ fn numbers_become_uniforms_that_the_host_sets() {
             "¦value"
         ))
     );
-    let main = |line: &str, number: &str| {
-        format!(
-            "uniform float a; //! slider[0, 0.5, 1]\n{line}void main() {{ gl_FragColor = vec4(a * {number}); }}\n"
-        )
-    };
-    assert_eq!(
-        with_uniform("/a.frag", &main("", "«4.0»")),
-        Some(main("uniform float value; //! slider[0, 4, 8]\n", "¦value"))
-    );
     let isf = |inputs: &str, number: &str| {
         format!(
             "/*{{\n    \"ISFVSN\": \"2\",\n    \"INPUTS\": [{inputs}]\n}}*/\nvoid main() {{ gl_FragColor = vec4({number}); }}\n"
@@ -392,6 +383,6 @@ fn numbers_become_uniforms_that_the_host_sets() {
         ),
         None
     );
-    let size = main("", "1.0").replace("{ gl", "{ float b[|9]; gl");
-    assert_eq!(with_uniform("/a.frag", &size), None);
+    let size = isf("", "1.0").replace("{ gl", "{ float b[|9]; gl");
+    assert_eq!(with_uniform("/a.fs", &size), None);
 }

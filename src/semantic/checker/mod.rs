@@ -39,7 +39,9 @@ use super::builtins::{Builtins, Stage};
 use super::constant::{Constant, Pool};
 use super::dialect::{Channels, Dialect};
 use super::parsed::{ParsedView, Typed};
-use super::problem::{Aside, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration};
+use super::problem::{
+    Aside, MAX_ERRORS, Problem, ProblemKind, ProblemMoment, Problems, SecondDeclaration,
+};
 use super::program::*;
 use super::scope::{Binding, Scopes};
 use super::types::*;
@@ -75,8 +77,6 @@ use std::sync::Arc;
 pub use switch::SwitchError;
 pub use webgl1::Restriction;
 
-/// Most errors that are reported in one shader.
-pub const MAX_ERRORS: usize = 200;
 /// Most components that constant folding of binary operators processes in one shader.
 const MAX_COMPARED: usize = 50_000_000;
 
