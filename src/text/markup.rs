@@ -12,6 +12,8 @@ pub fn escape(text: &str) -> String {
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&apos;"),
             '\n' | '\r' | '\t' => out.push(c),
+            // Line breaks that no reader sees.
+            '\u{2028}' | '\u{2029}' => {}
             // Not allowed even as character references.
             c if c < ' ' || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push('\u{fffd}'),
             c => out.push(c),

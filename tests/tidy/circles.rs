@@ -112,6 +112,8 @@ const LEFT_OF_FOLDERS: &[&[&str]] = &[
         "src/port/signature.rs",
     ],
     &["src/explain/root_cause/", "src/explain/single_pass.rs"],
+    // The problems are listed in one enum.
+    &["src/semantic/checker/", "src/semantic/problem.rs"],
     &["src/syntax/parser/", "src/syntax/translation/"],
 ];
 
