@@ -185,7 +185,7 @@ impl LineLayout<'_> {
     pub(super) fn go_on(&mut self, at: usize, item: &FormatItem) {
         let blank = self.blanks.get(at).copied().unwrap_or(false);
         // Statements on one line are separated by an additional space if they were.
-        let apart = u32::from(self.is_in_row(at) && item.blanks > 1);
+        let apart = u32::from(blank && self.is_in_row(at) && item.blanks > 1);
         let column = self.point.end + u32::from(blank) + apart;
         let line = self.starts.len().saturating_sub(1) as u32;
         self.put(

@@ -296,6 +296,7 @@ fn empty_statements_stay_on_their_line() {
     let empty = ";".repeat(130);
     body(&format!("{empty}\na();"), &format!("{empty}\na();"));
     check(&format!("{empty}S x;"), &format!("{empty}\nS x;\n"));
+    check(";   ;", ";;\n");
 }
 
 #[test]
