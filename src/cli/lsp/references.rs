@@ -62,7 +62,7 @@ pub fn references(args: &ReferencesArgs) -> io::Result<u8> {
 
 /// The URI of the file.
 fn uri(args: &ReferencesArgs) -> Uri {
-    uri_of(&slashed(&absolute(&args.file)))
+    uri_of(&slashed(absolute(&args.file)))
 }
 
 /// A session in which a file is open.

@@ -242,7 +242,7 @@ enum Mode {
 pub(super) fn name_of(args: &PortArgs) -> String {
     args.input
         .first()
-        .map_or("passes".to_string(), |path| slashed(path))
+        .map_or("passes".to_string(), slashed)
 }
 
 fn stem(path: &Path) -> String {

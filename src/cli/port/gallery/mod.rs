@@ -92,7 +92,7 @@ impl MadeGallery {
     fn update(&mut self, args: &GalleryArgs, overwrite: Overwrite) -> Result<u8, String> {
         let sources = sources(&args.input, &args.output)?;
         if sources.is_empty() {
-            let places: Vec<_> = args.input.iter().map(|path| slashed(path)).collect();
+            let places: Vec<_> = args.input.iter().map(slashed).collect();
             return Err(format!("{}: no shader found", places.join(", ")));
         }
         let mut before = std::mem::take(&mut self.pages);
