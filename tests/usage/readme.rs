@@ -350,7 +350,7 @@ fn pages_say_whether_packages_are_released() {
         let sections = text.split("\n## ").filter(|section| {
             let installs = ["pip install", "pipx install", "npm i -D", "npm i -g"];
             let package = |i: &&str| section.contains(&format!("{i} shaderlint"));
-            installs.iter().any(|i| package(i)) || section.contains("/shaderlint-pre-commit")
+            installs.iter().any(package) || section.contains("/shaderlint-pre-commit")
         });
         for section in sections {
             let title = section.lines().next().unwrap();

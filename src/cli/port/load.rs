@@ -240,9 +240,7 @@ enum Mode {
 
 /// The name of the input in messages.
 pub(super) fn name_of(args: &PortArgs) -> String {
-    args.input
-        .first()
-        .map_or("passes".to_string(), slashed)
+    args.input.first().map_or("passes".to_string(), slashed)
 }
 
 fn stem(path: &Path) -> String {
