@@ -305,6 +305,7 @@ fn what_is_superfluous_is_removed() {
 
 /// Every problem in the checker's tables of tests has a message of one line without a full stop.
 #[test]
+#[expect(clippy::disallowed_methods, reason = "it reads sources")]
 fn problems_in_the_tables_of_the_checker_have_messages() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../semantic/checker");
     let mut rows = 0;
