@@ -42,7 +42,7 @@ mod tests {
     use std::sync::Arc;
 
     #[test]
-    fn files_may_lie_in_a_map() {
+    fn includes_are_read_from_an_in_memory_file_map() {
         let shader = "#version 300 es\nprecision highp float;\n#include \"lib/noise.glsl\"\n\
             out vec4 color;\nvoid main() { color = vec4(noise(2.0)); }\n";
         let noise = "float noise(float x) { return fract(sin(x)); }\n";

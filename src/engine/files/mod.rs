@@ -152,7 +152,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_map_has_folders() {
+    fn folders_of_an_in_memory_file_map_exist() {
         let paths = ["/a/b.glsl", "/a/c/d.glsl", "/a.glsl"];
         let files: BTreeMap<PathBuf, Arc<str>> =
             paths.iter().map(|p| (p.into(), "x".into())).collect();

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_show_passes_and_projects() {
+    fn file_names_identify_passes_and_projects() {
         let shown = |name: &str| role(name).map(|(r, p)| (r.name(), p));
         let some = |role, prefix: &str| Some((role, prefix.to_string()));
         assert_eq!(shown("Common.glsl"), some("common", ""));
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pile_of_images_is_no_project() {
+    fn several_image_passes_are_not_a_project() {
         let passes = |names: &[&str]| {
             let mut found: Vec<_> = names
                 .iter()

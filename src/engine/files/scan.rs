@@ -421,7 +421,7 @@ mod tests {
     }
 
     #[test]
-    fn all_spellings_are_read() {
+    fn all_spellings_of_includes_are_read() {
         one("#include \"a.glsl\"", "a.glsl");
         one("  # include 'a.glsl' ;".trim_start(), "a.glsl");
         one("#include <common>", "common");
@@ -438,7 +438,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_directive_stays() {
+    fn text_that_is_not_an_include_is_kept() {
         for text in [
             "// #include \"a.glsl\"\n",
             "/*\n#include \"a.glsl\"\n*/",
@@ -453,7 +453,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_after_stay() {
+    fn comments_after_includes_are_kept() {
         let (paths, left) =
             read("#include \"a\" // first\n#include ./b; /* two\nlines */ float c;\n");
         assert_eq!(paths, ["a", "./b"]);
@@ -463,7 +463,7 @@ mod tests {
     }
 
     #[test]
-    fn arguments_of_modules_are_read() {
+    fn arguments_of_glslify_modules_are_read() {
         let found = scan("#pragma glslify: trace = require('./t', map = doModel, steps = 90)");
         let pair = |a: &str, b: &str| (a.to_string(), b.to_string());
         let pairs = vec![pair("map", "doModel"), pair("steps", "90")];
@@ -474,7 +474,7 @@ mod tests {
     }
 
     #[test]
-    fn guards_are_no_conditions() {
+    fn include_guards_are_not_conditions() {
         let guarded = "#include \"a\"\n#ifndef FNC_F\n#define FNC_F\n#include \"b\"\nfloat f() { return 1.; }\n#endif\n";
         let found = scan(guarded);
         assert!(found.is_guarded && found.declares);

@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_in_branches_that_a_macro_selects() {
+    fn mistakes_in_inactive_branches_are_reported() {
         check_found(
             "float f(vec3 a) {\n#ifdef TINT\n  vec2 b = a;\n#endif\n  return a.x;\n}\n",
             &[(3, "`TINT` is defined")],
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn code_that_may_be_right_is_not_reported() {
+    fn inactive_code_that_may_be_valid_is_not_reported() {
         for text in [
             // What the macro stands for is unknown.
             "float f(vec3 a) {\n#ifdef TINT\n  vec2 b = TINT(a) TINT;\n#endif\n  return a.x;\n}\n",

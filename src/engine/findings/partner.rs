@@ -473,7 +473,7 @@ mod tests {
     }
 
     #[test]
-    fn files_of_one_name_belong_together() {
+    fn vertex_and_fragment_files_are_paired_by_name() {
         check("a/b.vert", "a/b.frag");
         check("b.fs", "b.vs");
         check("b.vert.glsl", "b.frag.glsl");

@@ -168,7 +168,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn typos() {
+    fn typos_are_matched_to_the_intended_name() {
         for (word, name) in [
             ("opcaity", "opacity"),
             ("colr", "color"),
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn the_words_of_a_text() {
+    fn names_of_a_text_are_candidates_for_typos() {
         let code = "uniform float opacity; // opcaity\n#define SCALE 2.0\nfloat f(vec2 at) {\n\
             return opcaity * SCALE * at.opcty;\n}";
         let found = Vocabulary::of(code);

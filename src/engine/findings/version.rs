@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn words_that_one_version_reserves() {
+    fn words_reserved_in_one_version_only_are_warnings() {
         assert_eq!(reserved_word("", "sample"), Severity::Warning);
         assert_eq!(
             reserved_word("#version 300 es\n", "sample"),

@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_fixes_are_left_alone() {
+    fn fixes_that_change_the_image_are_not_applied() {
         let value = "max(0.5, fract(gl_FragCoord.x * 0.1)), 2.5, u, 1";
         let new = format!(
             "#version 300 es\nprecision highp float;\nuniform float u;\nout vec4 o;\n\
@@ -187,7 +187,7 @@ mod tests {
 
     /// Fixes of fragments that cannot be drawn are applied unverified.
     #[test]
-    fn what_is_not_drawn_is_fixed_all_the_same() {
+    fn fragments_that_cannot_be_drawn_are_fixed_unverified() {
         let part = "float f(float x) { return max(0.5, x); }\n";
         let options = Options::default();
         let mut fuel = FUEL;

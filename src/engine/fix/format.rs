@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn shaders_inside_a_script_keep_to_their_place() {
+    fn shaders_in_scripts_keep_their_indentation() {
         let text = "const a = `\n    void main(){\n  gl_FragColor=vec4( 1.0 ) ;\n  }\n  `;\n\
                     const b = 'void main(){gl_FragColor=vec4(1.0);}';\n";
         let expected = "const a = `\n    void main() {\n        gl_FragColor = vec4(1.0);\n    }\n  `;\n\
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_program_puts_in_stays_with_its_blanks() {
+    fn interpolations_keep_their_whitespace() {
         let text = "const a = `\n  precision highp float;\n\n     ${noise}\n  void main(){\n\
                     gl_FragColor=vec4( 1.0 );}\n`;\n";
         let expected = "const a = `\n  precision highp float;\n\n     ${noise}\n  void main() {\n      \
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn shaders_inside_a_file_are_indented_as_it_is() {
+    fn shaders_in_scripts_use_the_indentation_of_the_script() {
         let unset = |name: &str, text: &str| {
             let formatting = format(name, text, Claim::None, StyleChoice::default()).unwrap();
             apply_edits(text, 0, &formatting.edits).unwrap()
@@ -260,28 +260,28 @@ mod tests {
     }
 
     #[test]
-    fn exports_are_strings_all_the_same() {
+    fn formatted_exports_stay_valid_json_strings() {
         let text = r#"{"info":{},"renderpass":[{"type":"image","code":"void mainImage(out vec4 c,in vec2 p)\n{\n\tc=vec4(1);\n}\n"}]}"#;
         let expected = r#"{"info":{},"renderpass":[{"type":"image","code":"void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1);\n}\n"}]}"#;
         assert_eq!(formatted("a.json", text), expected);
     }
 
     #[test]
-    fn a_byte_order_mark_stays() {
+    fn a_byte_order_mark_is_kept() {
         let text = "\u{feff}\n#version 300 es\nvoid main(){}";
         let expected = "\u{feff}#version 300 es\nvoid main() {}\n";
         assert_eq!(formatted("a.frag", text), expected);
     }
 
     #[test]
-    fn what_is_no_glsl_is_left_alone() {
+    fn files_without_glsl_are_not_formatted() {
         assert!(format("a.json", "{\"a\": 1}", Claim::None, &Style::default()).is_err());
         let wgsl = "@fragment fn main() -> vec4<f32> {return vec4<f32>(1.0);}";
         assert!(format("a.wgsl", wgsl, Claim::None, &Style::default()).is_err());
     }
 
     #[test]
-    fn brackets_that_do_not_match_have_places() {
+    fn unmatched_brackets_have_positions() {
         let text = "\nvoid main() {\n  if (a[0) {}\n}\n";
         let formatting = format("a.frag", text, Claim::None, &Style::default()).unwrap();
         assert_eq!(formatting.edits, []);

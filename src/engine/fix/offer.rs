@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn fixes_that_leave_an_error_are_help() {
+    fn fixes_that_leave_an_error_become_help() {
         let code = |call: &str| {
             format!(
                 "float wave(vec2 p) {{ return sin(p.x) * p.y; }}\n\
@@ -139,7 +139,7 @@ mod tests {
 
     /// A fix that adds a line is tried with the line breaks of the text.
     #[test]
-    fn line_breaks_move_no_error() {
+    fn fixes_are_verified_with_the_line_breaks_of_the_text() {
         let text = "#version 300 es\nprecision highp vec3;\nout vec4 c;\nuniform float k;\n\
                     void main() { c = vec4(k); }\n";
         let [fixes, _] = offered("a.frag", text);

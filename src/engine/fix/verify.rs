@@ -461,7 +461,7 @@ mod tests {
 
     /// Varyings are matched by name, and all vertices are compared.
     #[test]
-    fn vertex_shaders_are_compared() {
+    fn edited_vertex_shaders_are_compared() {
         let text = "#version 300 es\nin vec3 at; out vec2 place; uniform mat4 m;\n\
                     void main() { gl_Position = m * vec4(at, 1); place = at.xy * 0.5; }\n";
         let check = |after: &str, expected: fn(&Result<Equality, String>) -> bool| {
@@ -492,7 +492,7 @@ mod tests {
 
     /// Renamed variables, other operations, other images, and invalid shaders.
     #[test]
-    fn what_became_of_a_shader_is_compared() {
+    fn edited_fragment_shaders_are_compared() {
         check(&BEFORE.replace("c;", "d;").replace("c =", "d ="), |found| {
             *found == Ok(Equality::Proved)
         });

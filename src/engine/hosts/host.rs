@@ -202,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn imports_are_found() {
+    fn imported_packages_are_found() {
         let script = "import * as T from 'three/addons/a.js'\nconst l = require( \"@luma.gl/core/x\");\
             import 'p5'; // from here";
         let names: Vec<&str> = imports(script).into_iter().map(package_of).collect();

@@ -285,7 +285,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_module_owns_what_it_declares_at_its_top() {
+    fn top_level_declarations_of_a_module_are_private() {
         let text = "precision highp float;\nuniform float time;\nvarying vec2 uv;\n#define K 1.\n\
             struct Ray { vec3 from; } ray;\nconst float a = max(b, c), d[2] = float[2](1., 2.);\n\
             float f(in vec2 p, float q) { float inner = p.x; return inner; }\nvec2 g(vec2 p);\n";

@@ -186,7 +186,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_text_declares_is_left_out() {
+    fn host_declarations_that_the_shader_repeats_are_omitted() {
         let preset = Preset {
             prelude: "uniform mat4 a;\nfloat f(float x);\n#define B 1\nuniform vec3 c[4];\n\
                 layout(location = 0) out vec4 d;\n"
