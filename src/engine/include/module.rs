@@ -1,9 +1,9 @@
 //! glslify modules. Each has its own namespace: names that it declares get a numbered suffix, as in
 //! glslify, and its export gets the name under which it is required.
 
-use super::super::check_context::CheckContext;
 use super::find::{Absent, FoundFile};
-use super::scan::{Form, IncludeDirective};
+use crate::check_context::CheckContext;
+use crate::files::scan::{Form, IncludeDirective};
 use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;

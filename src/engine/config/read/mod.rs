@@ -78,8 +78,8 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Adjustment, style};
     use super::*;
+    use crate::config::{Adjustment, style};
     use shaderlint_format::{Brace, Indentation, StyleChoice};
     use shaderlint_lint::Renderer;
 
