@@ -117,7 +117,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn interfaces() {
+    fn interface_errors_are_found() {
         let table = r"
             vertex 100: attribute int i; => Type
             in bool b; => Bool

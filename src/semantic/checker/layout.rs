@@ -150,7 +150,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn layouts() {
+    fn layout_errors_are_found() {
         let table = r"
             layout(shared) uniform; => NotInWebgl
             layout(location) out vec4 c; => NoNumber

@@ -462,7 +462,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn qualifiers() {
+    fn qualifier_errors_are_found() {
         let table = r"
             void main() { uniform float f; } => Local
             void main() { invariant float f; } => NotGlobal
