@@ -254,7 +254,7 @@ fn shaders_of_other_hosts_are_written() {
 
 /// The template of each host alone is a shader of that host.
 #[test]
-fn templates_compile() {
+fn templates_of_hosts_compile() {
     for host in hosts() {
         let template = host.template.as_ref().unwrap();
         assert!(template.tail.is_empty() || template.tail.contains("port_image("));

@@ -199,7 +199,7 @@ fn cases_and_seeds_are_reproducible() {
 }
 
 #[test]
-fn approx_is_only_known_to_tests() {
+fn only_tests_can_call_approx() {
     let tests = "bool test_one() { return approx(1.0, 1.0); }\n";
     let shader = "void mainImage(out vec4 c, in vec2 p) { c = vec4(approx(1.0, p.x)); }\n";
     let folder = folder(&[("one.test.glsl", tests), ("shader.glsl", shader)]);

@@ -191,6 +191,6 @@ export const exportTests = [
   { name: 'page: recordings work in real time', run: liveFilm, context: desk },
   { name: 'page: the debugger of the playground opens at a pixel', run: debugged, context: desk },
   { name: 'page: the debugger gets all passes and their channels', run: debuggedPasses, context: desk },
-  { name: 'page: there is no debugger without a playground', run: notDebugged, context: desk },
+  { name: 'page: without a playground no debugger is offered', run: notDebugged, context: desk },
   { name: 'page: descriptions are text and links', run: words, context: desk },
 ];
