@@ -1,6 +1,6 @@
 //! Hosts of shaders: both programs use the same table and report the same.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 use insta_cmd::get_cargo_bin;
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
