@@ -8,7 +8,7 @@
 //! are fixtures.
 
 use super::super::recorded::stale;
-use super::scratch::{BROKEN, root};
+use crate::scratch::{BROKEN, Scratch, root};
 use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -112,13 +112,13 @@ const CORPUS: [&str; 4] = [
 
 /// A copy of the files that commands read, and an empty home.
 struct Place {
-    folder: tempfile::TempDir,
+    folder: Scratch,
 }
 
 impl Place {
     fn new() -> Place {
-        let folder = tempfile::tempdir().unwrap();
-        let work = folder.path().join("work");
+        let folder = Scratch::new(&[]);
+        let work = folder.path("work");
         for name in CORPUS {
             copy(&root().join(name), &work.join(name));
         }
@@ -133,7 +133,7 @@ impl Place {
         fs::write(work.join("export.json"), EXPORT).unwrap();
         fs::write(work.join("old.glsl"), OLD).unwrap();
         fs::write(work.join("broken.frag"), BROKEN).unwrap();
-        fs::create_dir(folder.path().join("home")).unwrap();
+        fs::create_dir(folder.path("home")).unwrap();
         Place { folder }
     }
 
@@ -145,8 +145,8 @@ impl Place {
         let mut command = Command::new("bash");
         command
             .args(["-c", line])
-            .current_dir(self.folder.path().join("work"))
-            .env("HOME", self.folder.path().join("home"))
+            .current_dir(self.folder.path("work"))
+            .env("HOME", self.folder.path("home"))
             .env("PATH", path);
         command
     }
