@@ -1,4 +1,4 @@
-//! What the server needs from whoever runs it.
+//! What the server requires from its environment.
 
 use gen_lsp_types::Uri;
 use shaderlint_engine::{Files, Options};

@@ -86,7 +86,7 @@ pub enum Unread {
     Skipped(Decision),
     /// It is an invalid ShaderToy export.
     Export(ProjectError),
-    /// Nothing in it is GLSL, though its name says so, and it cannot be parsed.
+    /// It has the extension of GLSL, but contains none and cannot be parsed.
     NotGlsl,
     /// The text exceeds the address space of 4 GiB.
     TooLarge,

@@ -10,7 +10,7 @@ use shaderlint_text::Edit;
 struct SameMistake {
     rule: &'static str,
     severity: Severity,
-    /// What warnings say before their evidence, without the code that they quote: different sentences
+    /// The messages of warnings before their evidence, without the code that they quote: different sentences
     /// are about different mistakes.
     statement: Option<String>,
     /// Places with and without a fix are kept apart, so that a fix is for all places.

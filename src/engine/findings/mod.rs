@@ -1,4 +1,4 @@
-//! What is found in the text of a file.
+//! Findings in the text of a file.
 
 mod assumption;
 mod check;
