@@ -510,7 +510,7 @@ fn tabs_can_be_used_for_indentation() {
 }
 
 #[test]
-fn line_endings_are_preserved() {
+fn line_breaks_are_preserved() {
     check("float a;float b;\r\n", "float a;\r\nfloat b;\r\n");
 }
 

@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn a_channel_is_named_by_its_sampler() {
+    fn channels_are_named_by_their_sampler() {
         let code = "precision highp float;\nuniform sampler2D photo;\nuniform sampler2D maps[4];\n\
             void main() { gl_FragColor = texture2D(photo, vec2(0.5)) + texture2D(maps[3], vec2(0.5)); }\n";
         let mut project = Project::from_shader("", code).unwrap();
