@@ -3,7 +3,7 @@
 use crate::check_context::{CheckContext, Keep};
 use crate::files::Files;
 use crate::findings::report::Report;
-use crate::findings::stage::{FileCheck, ShaderCheck, Stage, Unresolved};
+use crate::findings::stage::{FileCheck, FindingStage, ShaderCheck, Unresolved};
 use crate::findings::{STAGES, partner};
 use crate::hosts::host::Hosts;
 use crate::hosts::hosted;
@@ -122,7 +122,7 @@ fn try_check(
         expect_glsl(name, text, &file.report.shaders, context)?;
     }
     for stage in STAGES {
-        if let Stage::File(look) = stage {
+        if let FindingStage::File(look) = stage {
             look(&mut file);
         }
     }
@@ -196,7 +196,7 @@ fn check_shaders(file: &mut FileCheck, keep: Keep) {
             unresolved: &mut file.unresolved,
         };
         for stage in STAGES {
-            if let Stage::Shader(look) = stage {
+            if let FindingStage::Shader(look) = stage {
                 look(&mut shader);
             }
         }

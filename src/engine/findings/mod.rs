@@ -17,12 +17,12 @@ pub mod upgrade;
 mod version;
 mod whole_file;
 
-use stage::Stage;
-use stage::Stage::{File, Shader};
+use stage::FindingStage;
+use stage::FindingStage::{File, Shader};
 
 /// All stages, in order. A shader comes with the errors of the checker, read as its host completes it,
 /// and goes through the stages of a shader; after all shaders follow the stages of their file.
-pub const STAGES: &[Stage] = &[
+pub const STAGES: &[FindingStage] = &[
     // First, because these are errors of the checker that it left open: they count as errors for all
     // stages below.
     Shader(unknown::decide_severity),

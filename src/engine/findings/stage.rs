@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A stage of a check: adds findings, or changes or drops those of earlier stages.
-pub enum Stage {
+pub enum FindingStage {
     /// Looks at one shader of a file.
     Shader(fn(&mut ShaderCheck)),
     /// Looks at a file, all of whose shaders have been looked at.
