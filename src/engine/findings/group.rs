@@ -1,6 +1,6 @@
 //! Joins findings about the same mistake, so that a person reads about it once.
 
-use super::document::Report;
+use super::report::Report;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Label, Origin, Severity, count};
 use shaderlint_text::Edit;
