@@ -245,9 +245,7 @@ fn run_fence(place: &Place, fence: &str) -> usize {
 fn documented_commands_run_in_an_empty_home() {
     let check = |path: &str, text: &str| {
         let place = Place::new();
-        let ran = fences(text, "sh")
-            .into_iter()
-            .map(|f| run_fence(&place, f));
+        let ran = fences(text, "sh").into_iter().map(|f| run_fence(&place, f));
         let ran: usize = ran.sum();
         println!("{path}: {ran}");
         assert!(path != "README.md" || ran >= 8, "only {ran} commands");
