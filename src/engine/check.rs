@@ -54,10 +54,7 @@ pub fn check_content(
 
 /// Checks a text and keeps the analyses of its shaders in [`Report::analyses`].
 pub fn analyze(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
-    let context = CheckContext {
-        keep: Keep::Programs,
-        ..CheckContext::new(options, files)
-    };
+    let context = CheckContext::keeping(options, files);
     check_text(name, text, Encoding::Utf8, context)
 }
 

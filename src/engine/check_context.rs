@@ -33,6 +33,14 @@ impl<'a> CheckContext<'a> {
         }
     }
 
+    /// An environment that keeps programs too.
+    pub fn keeping(options: &'a Options, files: &'a dyn Files) -> CheckContext<'a> {
+        CheckContext {
+            keep: Keep::Programs,
+            ..CheckContext::new(options, files)
+        }
+    }
+
     /// Whether the file of this name is checked in the same run.
     pub fn is_checked(&self, name: &str) -> bool {
         self.files.depends_on(Dependency::Checked(name));

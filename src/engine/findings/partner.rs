@@ -11,8 +11,8 @@ use crate::text::shader_file::shader_part;
 use shaderlint_detect::embed::{Asked, DocumentLanguage, Embedded, asked, together};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
-use shaderlint_explain::analyze;
 use shaderlint_explain::link::link;
+use shaderlint_explain::{Checked, analyze};
 use shaderlint_lint::Settings;
 use shaderlint_rules::rule;
 use shaderlint_semantic::{Completeness, Function, Program, Stage, Storage, Unit};
@@ -312,15 +312,7 @@ fn keep_pair(
             return Some(analysis.program.clone());
         }
         let reading = part.reading()?;
-        let checked = analyze(&Unit {
-            sources,
-            files: &reading.files,
-            stage: reading.stage,
-            dialect: reading.dialect,
-            infer_channels: false,
-            completeness: Completeness::Complete,
-        });
-        Some(Arc::new(checked.program))
+        Some(Arc::new(complete(sources, reading).program))
     };
     let (Some(one), Some(other)) = (program(one), program(other)) else {
         return;
@@ -339,6 +331,18 @@ fn is_error(d: &Diagnostic) -> bool {
 /// Whether an error prevents linking: undeclared names do not affect the interface between stages.
 fn keeps_from_linking(d: &Diagnostic) -> bool {
     is_error(d) && !d.is(error::UNDECLARED_NAME)
+}
+
+/// A shader, checked as a complete one.
+fn complete(sources: &Arc<Sources>, reading: &Reading) -> Checked {
+    analyze(&Unit {
+        sources,
+        files: &reading.files,
+        stage: reading.stage,
+        dialect: reading.dialect,
+        infer_channels: false,
+        completeness: Completeness::Complete,
+    })
 }
 
 /// A stage that may be linked.
@@ -366,14 +370,7 @@ fn programs_of<'p>(
                 lacks_names: false,
             },
             None => {
-                let checked = analyze(&Unit {
-                    sources,
-                    files: &reading.files,
-                    stage: reading.stage,
-                    dialect: reading.dialect,
-                    infer_channels: false,
-                    completeness: Completeness::Complete,
-                });
+                let checked = complete(sources, reading);
                 let mut found = checked.diagnostics.iter().filter(|d| is_error(d));
                 let lacks_names = found.next().is_some();
                 if checked.diagnostics.iter().any(keeps_from_linking) || lacks_names && !is_closed {

@@ -2,7 +2,7 @@
 
 use super::look::look;
 use super::verify::equal;
-use crate::check_context::{CheckContext, Keep};
+use crate::check_context::CheckContext;
 use crate::files::Files;
 use crate::findings::report::Report;
 use crate::options::Options;
@@ -23,10 +23,7 @@ pub fn fix_text(
     files: &dyn Files,
     allow: Allow,
 ) -> Fixed {
-    let context = CheckContext {
-        keep: Keep::Programs,
-        ..CheckContext::new(options, files)
-    };
+    let context = CheckContext::keeping(options, files);
     let mut fuel = FUEL;
     let compare =
         |before: &Look, after: &Look| compare_images(&before.shaders, &after.shaders, &mut fuel);
@@ -117,10 +114,7 @@ mod tests {
 
     /// A report in which `0.5` has the wrong fix `0.6`, and `2.5` the right fix `25e-1`.
     fn check_report(name: &str, text: &str, options: &Options) -> Report {
-        let context = CheckContext {
-            keep: Keep::Programs,
-            ..CheckContext::new(options, &NoFiles)
-        };
+        let context = CheckContext::keeping(options, &NoFiles);
         let mut report = check_text(name, text, Encoding::Utf8, context);
         report.diagnostics.clear();
         offer_fix(&mut report, "0.5", "0.6");

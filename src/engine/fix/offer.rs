@@ -1,7 +1,7 @@
 //! The fixes that a report offers: those that work, and how many there are.
 
 use super::look::look;
-use crate::check_context::{CheckContext, Keep};
+use crate::check_context::CheckContext;
 use crate::files::Files;
 use crate::findings::report::Report;
 use crate::options::Options;
@@ -71,10 +71,7 @@ impl Report {
             settings: Arc::new(Settings::of_rules(&[])),
             ..options.clone()
         };
-        let context = CheckContext {
-            keep: Keep::Programs,
-            ..CheckContext::new(&options, files)
-        };
+        let context = CheckContext::keeping(&options, files);
         let Some(seen) = look(name, text, context) else {
             return Vec::new();
         };

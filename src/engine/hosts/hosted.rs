@@ -53,10 +53,10 @@ pub fn part(
     let sources = Arc::make_mut(&mut input.sources);
     let piece = sources.embed(file, start, text)?;
     let reading = reading(sources, &[piece], &found)?;
-    let readings = Readings::of_complete(reading);
-    input
-        .parts
-        .push(ShaderInput::hosted(readings, found.recognised.host));
+    input.parts.push(ShaderInput {
+        host: Some(found.recognised.host),
+        ..ShaderInput::new(Readings::of_complete(reading))
+    });
     Some(true)
 }
 

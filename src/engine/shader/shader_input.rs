@@ -31,6 +31,19 @@ pub struct ShaderInput {
 }
 
 impl ShaderInput {
+    /// A shader on its own.
+    pub fn new(readings: Readings) -> ShaderInput {
+        ShaderInput {
+            readings,
+            infer_channels: false,
+            embedder: Embedder::default(),
+            mipmapped: [None; 4],
+            missing: Vec::new(),
+            host: None,
+            analysis: None,
+        }
+    }
+
     /// A pass of an export.
     pub fn of_pass(unit: PassUnit) -> ShaderInput {
         let reading = Reading {
@@ -39,26 +52,8 @@ impl ShaderInput {
             dialect: Dialect::ShaderToy(unit.kind),
         };
         ShaderInput {
-            readings: Readings::of_complete(reading),
-            infer_channels: false,
-            embedder: Embedder::default(),
             mipmapped: unit.mipmapped,
-            missing: Vec::new(),
-            host: None,
-            analysis: None,
-        }
-    }
-
-    /// A shader with everything that its host adds.
-    pub fn hosted(readings: Readings, host: &'static Preset) -> ShaderInput {
-        ShaderInput {
-            readings,
-            infer_channels: false,
-            embedder: Embedder::default(),
-            mipmapped: [None; 4],
-            missing: Vec::new(),
-            host: Some(host),
-            analysis: None,
+            ..ShaderInput::new(Readings::of_complete(reading))
         }
     }
 

@@ -146,12 +146,8 @@ fn part(
     let first = readings.all.first()?;
     Some(ShaderInput {
         infer_channels: first.dialect.is_shadertoy(),
-        readings,
         embedder: around.embedder,
-        mipmapped: [None; 4],
-        missing: Vec::new(),
-        host: None,
-        analysis: None,
+        ..ShaderInput::new(readings)
     })
 }
 

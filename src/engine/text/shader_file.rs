@@ -6,7 +6,7 @@ use crate::options::{DialectChoice, Options};
 use crate::shader::input::SplitInput;
 use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
-use shaderlint_detect::embed::{Embedder, mask};
+use shaderlint_detect::embed::mask;
 use shaderlint_detect::kind::file_extension;
 use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
 use shaderlint_text::FileId;
@@ -68,12 +68,8 @@ pub fn shader_part(
     let first = readings.all.first()?;
     input.parts.push(ShaderInput {
         infer_channels: first.dialect.is_shadertoy(),
-        readings,
-        embedder: Embedder::default(),
-        mipmapped: [None; 4],
         missing,
-        host: None,
-        analysis: None,
+        ..ShaderInput::new(readings)
     });
     Some(())
 }
