@@ -1,7 +1,7 @@
 //! The channels of a project whose inputs nobody gave, and a `channels.toml` that gives them.
 
 use super::channel::STAND_IN;
-use super::{Input, InputKind, Project, ProjectPass, Wrapper};
+use crate::{Input, InputKind, Project, ProjectPass, Wrapper};
 use shaderlint_semantic::Pass;
 use std::fmt::Write;
 

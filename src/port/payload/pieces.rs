@@ -3,14 +3,14 @@
 //! `node tests/browser/minify.js` makes them from the scripts and styles below `player`.
 
 use super::tuned::sliders;
-use super::{Composed, InputKind, OutputId, Project, Wrapper};
+use crate::{Composed, InputKind, OutputId, Project, Wrapper};
 use shaderlint_semantic::{Pass, Stage};
 use shaderlint_text::Role;
 
 /// A minified script of the player, by its path.
 macro_rules! script {
     ($path:literal) => {
-        include_str!(concat!("player/min/", $path, ".js"))
+        include_str!(concat!("../player/min/", $path, ".js"))
     };
 }
 
@@ -49,11 +49,11 @@ pub(super) enum PlayerPart {
 
 /// The needs of a project.
 #[derive(Clone, Default, Debug)]
-pub(super) struct PlayerParts(Vec<PlayerPart>);
+pub(crate) struct PlayerParts(Vec<PlayerPart>);
 
 impl PlayerParts {
     /// Those of a project that is not known yet.
-    pub(super) fn all() -> PlayerParts {
+    pub(crate) fn all() -> PlayerParts {
         let mut parts = PlayerParts::default();
         for part in PLAYER.iter().chain(&PANEL).filter_map(|(part, _)| *part) {
             parts.add(&[part]);
@@ -62,7 +62,7 @@ impl PlayerParts {
     }
 
     /// Those of a project. In pages with a panel its channels also take other files.
-    pub(super) fn of(project: &Project, composed: &Composed, has_panel: bool) -> PlayerParts {
+    pub(crate) fn of(project: &Project, composed: &Composed, has_panel: bool) -> PlayerParts {
         let mut needs = PlayerParts::default();
         for pass in &project.passes {
             needs.add(match pass.kind {
@@ -141,17 +141,17 @@ impl PlayerParts {
     }
 
     /// The player.
-    pub(super) fn player(&self) -> String {
+    pub(crate) fn player(&self) -> String {
         self.code(&PLAYER)
     }
 
     /// The script of a page with a panel.
-    pub(super) fn panel(&self) -> String {
+    pub(crate) fn panel(&self) -> String {
         self.code(&BASE) + &self.code(&PANEL)
     }
 
     /// The script of a page for frames.
-    pub(super) fn frame(&self) -> String {
+    pub(crate) fn frame(&self) -> String {
         self.code(&BASE) + script!("page/embed")
     }
 }

@@ -1,11 +1,15 @@
-//! A single HTML page that plays a project, without external resources.
+//! A single HTML page that plays a project, without external resources; pages for frames of other
+//! pages, and pages that list many.
 //!
 //! Untrusted data is embedded as JSON in an element that is not executed, with every character
 //! escaped that could end the element. The content security policy allows only the page's own
 //! script and style.
 
+pub(super) mod embed;
+pub(super) mod gallery;
+
 use super::payload::payload;
-use super::pieces::PlayerParts;
+use super::payload::pieces::PlayerParts;
 use super::script::MOUNT;
 use super::{Composed, Project, Wrapper, credits};
 use base64::Engine;
@@ -15,15 +19,15 @@ use shaderlint_semantic::Stage;
 use shaderlint_text::Role;
 use shaderlint_text::markup::{escape, escape_json, in_address};
 
-const PAGE: &str = include_str!("player/page/page.html");
+const PAGE: &str = include_str!("../player/page/page.html");
 /// The colours of all pages.
-pub(super) const COLORS: &str = include_str!("player/min/page/colors.css");
-const STYLE: &str = include_str!("player/min/page/page.css");
-const PANEL_STYLE: &str = include_str!("player/min/page/panel/panel.css");
-const EXTRAS: &str = include_str!("player/page/extras.html");
-const DEBUG: &str = include_str!("player/page/debug.html");
-const MORE: &str = include_str!("player/page/panel/more.html");
-const PANEL: &str = include_str!("player/page/panel/panel.html");
+pub(super) const COLORS: &str = include_str!("../player/min/page/colors.css");
+const STYLE: &str = include_str!("../player/min/page/page.css");
+const PANEL_STYLE: &str = include_str!("../player/min/page/panel/panel.css");
+const EXTRAS: &str = include_str!("../player/page/extras.html");
+const DEBUG: &str = include_str!("../player/page/debug.html");
+const MORE: &str = include_str!("../player/page/panel/more.html");
+const PANEL: &str = include_str!("../player/page/panel/panel.html");
 
 /// Separates the player from the page's own code in the script: a module exported by the page ends
 /// here.
@@ -31,17 +35,17 @@ const BORDER: &str = "// The page begins here.\n";
 
 /// Script of a served page, which reads what the page keeps during a reload.
 const LIVE: [&str; 2] = [
-    include_str!("player/min/page/state.js"),
-    include_str!("player/min/live.js"),
+    include_str!("../player/min/page/state.js"),
+    include_str!("../player/min/live.js"),
 ];
 
 /// Script of a page that offers the debugger of a playground.
-const DEBUGGER: &str = include_str!("player/min/page/debug.js");
+const DEBUGGER: &str = include_str!("../player/min/page/debug.js");
 
 /// Script of a page inside another one, which sends the project.
 const RECEIVE: [&str; 2] = [
-    include_str!("player/min/page/state.js"),
-    include_str!("player/min/page/receive.js"),
+    include_str!("../player/min/page/state.js"),
+    include_str!("../player/min/page/receive.js"),
 ];
 
 /// The page. A served page has a version and reloads itself when there is a newer one. With the address

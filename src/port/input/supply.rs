@@ -1,7 +1,7 @@
 //! Inputs of a project that are not available, and their substitutes.
 
 use super::export::plain;
-use super::{Input, InputKind, OutputId, Project, ProjectPass};
+use crate::{Input, InputKind, OutputId, Project, ProjectPass};
 use shaderlint_semantic::Pass;
 
 /// An input that is not available.

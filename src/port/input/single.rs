@@ -1,7 +1,7 @@
 //! A shader file as a project: a ShaderToy pass, or a complete shader of any host.
 
-use super::dialect::{self, Clues, Plan, PlannedPass, Recognised, SiblingTexts, bind, recognise};
-use super::{
+use crate::dialect::{self, Clues, Plan, PlannedPass, Recognised, SiblingTexts, bind, recognise};
+use crate::{
     Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
     compose,
 };

@@ -1,7 +1,7 @@
 //! Finds the values in the code that have sliders.
 
-use super::sliders::{Slider, SliderChoice, Sliders};
-use super::{Composed, ControlKind, PassUnit};
+use crate::sliders::{Slider, SliderChoice, Sliders};
+use crate::{Composed, ControlKind, PassUnit};
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::Severity;
 use shaderlint_semantic::Scalar;
@@ -11,7 +11,7 @@ use shaderlint_semantic::tunable::{
 use shaderlint_text::{FileId, Sources, Span};
 
 /// The sliders of all passes, each once.
-pub(super) fn sliders(composed: &Composed) -> &Sliders {
+pub(crate) fn sliders(composed: &Composed) -> &Sliders {
     composed.sliders.get_or_init(|| match composed.choice {
         SliderChoice::None => Sliders::default(),
         SliderChoice::Marked => find(composed, TunableChoice::Marked),

@@ -2,7 +2,7 @@
 //! with the name of a sampler, `u_tex0=photo.jpg`.
 
 use super::parts::{near, unknown_pass};
-use super::{
+use crate::{
     Input, InputKind, MAX_CHANNELS, PassRole, Project, ProjectPass, SamplerSettings, Wrapper,
 };
 use shaderlint_semantic::{Pass, channel};

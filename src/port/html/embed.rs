@@ -1,10 +1,10 @@
 //! A page for frames of other pages: it shows a still image and plays after a click.
 
-use super::credits;
-use super::html::{PageParts, PlayerPage};
-use super::payload::payload;
-use super::pieces::PlayerParts;
-use super::{Composed, Project};
+use super::{PageParts, PlayerPage};
+use crate::credits;
+use crate::payload::payload;
+use crate::payload::pieces::PlayerParts;
+use crate::{Composed, Project};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use shaderlint_text::markup::{decode, escape, escape_json, in_address};
@@ -97,7 +97,7 @@ impl PageAddress {
 const ABSOLUTE: &str = "expected an absolute address such as https://example.org/water.html";
 
 /// The file name of the still image beside a page.
-pub(super) fn still_name(page: &Path) -> String {
+pub(crate) fn still_name(page: &Path) -> String {
     let name = page.with_extension("png");
     let name = name.file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()
@@ -105,11 +105,11 @@ pub(super) fn still_name(page: &Path) -> String {
 
 /// What the Open Graph and Twitter say about a page.
 pub(super) struct Card<'a> {
-    pub(super) title: &'a str,
-    pub(super) description: &'a str,
-    pub(super) address: Option<&'a PageAddress>,
+    pub(crate) title: &'a str,
+    pub(crate) description: &'a str,
+    pub(crate) address: Option<&'a PageAddress>,
     /// The address of the image, its size, and its description.
-    pub(super) image: Option<(PageAddress, [u32; 2], String)>,
+    pub(crate) image: Option<(PageAddress, [u32; 2], String)>,
 }
 
 impl Card<'_> {
@@ -200,7 +200,7 @@ pub fn embed(project: &Project, composed: &Composed, poster: &Poster, output: &P
 }
 
 /// The title of a project.
-pub(super) fn title(project: &Project) -> String {
+pub(crate) fn title(project: &Project) -> String {
     match project.info.name.trim() {
         "" => "Shader".to_string(),
         name => decode(name),

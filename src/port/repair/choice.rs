@@ -19,7 +19,7 @@ struct TernaryChoice<'p> {
 }
 
 /// Replaces the choice at a span.
-pub(super) fn choice(program: &Program, at: Span) -> Option<Fix> {
+pub(crate) fn choice(program: &Program, at: Span) -> Option<Fix> {
     let found = choices(program).find(|choice| {
         let Extent { first, last } = program.tree.expr(choice.id).extent;
         choice.is_refused() && program.tokens.place(&program.sources, first, last) == at

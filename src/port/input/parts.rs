@@ -1,6 +1,6 @@
 //! Projects with one file per pass, identified by file name.
 
-use super::{Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, ShaderError};
+use crate::{Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, ShaderError};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 
@@ -144,7 +144,7 @@ pub fn unknown_pass(name: &str) -> String {
 }
 
 /// The most similar word, if it is similar enough.
-pub(super) fn near<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn near<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let name = name.to_lowercase();
     let all = words.into_iter();
     let all = all.map(|word| (strsim::damerau_levenshtein(word, &name), word));

@@ -1,14 +1,14 @@
 //! A page that lists the pages of many shaders, with a still image of each. Its script only searches.
 
 use super::embed::{Card, PageAddress, Poster, START, title};
-use super::html::{COLORS, PageParts, PlayerPage, fill, hash};
-use super::pieces::PlayerParts;
-use super::{Project, credits};
+use super::{COLORS, PageParts, PlayerPage, fill, hash};
+use crate::payload::pieces::PlayerParts;
+use crate::{Project, credits};
 use shaderlint_text::markup::{decode, escape, in_address};
 
-const PAGE: &str = include_str!("player/page/gallery.html");
-const STYLE: &str = include_str!("player/min/page/gallery.css");
-const SEARCH: &str = include_str!("player/min/page/search.js");
+const PAGE: &str = include_str!("../player/page/gallery.html");
+const STYLE: &str = include_str!("../player/min/page/gallery.css");
+const SEARCH: &str = include_str!("../player/min/page/search.js");
 
 /// A shader of a gallery.
 pub struct GalleryEntry {

@@ -1,7 +1,7 @@
 //! Findings shown on the page for code that does not compile: they are more detailed than the
 //! messages of the browser.
 
-use super::Composed;
+use crate::Composed;
 use serde::Serialize;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_text::{Sources, Span};
@@ -29,7 +29,7 @@ struct LabelData {
 }
 
 /// The errors of all passes, without duplicates.
-pub(super) fn findings(composed: &Composed) -> Vec<FindingData> {
+pub(crate) fn findings(composed: &Composed) -> Vec<FindingData> {
     let mut found: Vec<FindingData> = Vec::new();
     for unit in &composed.units {
         let all = composed.analysis(unit).diagnostics.iter();

@@ -4,7 +4,7 @@
 //! website's own endpoint and export, an array or object with string ids and `type`; and the bare
 //! object that the website's editor saves. All contain `info` and `renderpass`.
 
-use super::{Info, Input, InputKind, OutputId, PassRole, Project, ProjectPass, SamplerSettings};
+use crate::{Info, Input, InputKind, OutputId, PassRole, Project, ProjectPass, SamplerSettings};
 use serde_json::Value;
 use shaderlint_semantic::{GuessedKind, Pass, guess};
 use shaderlint_text::json::repair_escapes;
@@ -358,7 +358,7 @@ fn data_addresses(input: &Value, src: &str, path: &str) -> Result<Vec<String>, P
 }
 
 /// Untrusted text, shortened and without control characters.
-pub(super) fn plain(text: &str) -> String {
+pub(crate) fn plain(text: &str) -> String {
     let kept = text.chars().filter(|c| !c.is_control());
     kept.take(80).collect()
 }

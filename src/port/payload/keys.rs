@@ -1,6 +1,6 @@
 //! The names of the keys that a project reads.
 
-use super::{Composed, InputKind, PassUnit, Project};
+use crate::{Composed, InputKind, PassUnit, Project};
 use shaderlint_flow::reaching_definitions::ReachingDefinitions;
 use shaderlint_flow::{Calls, ColumnReads, column_reads};
 use shaderlint_semantic::VariableId;

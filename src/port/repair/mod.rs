@@ -4,8 +4,10 @@
 //! Each is attached to the error that it fixes, so that the same engine applies these and the fixes
 //! of the errors themselves.
 
-use super::choice::choice;
+mod choice;
+
 use super::dialect::PLACES;
+use choice::choice;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, error};
 use shaderlint_semantic::{EntryResult, Program, Scalar, Type, globals};
 use shaderlint_syntax::ast::{

@@ -1,17 +1,23 @@
-//! The project as JSON for the player.
+//! What the player gets: the project as JSON, with the values that have sliders, the keys that it
+//! reads and the findings in its code; and the files of the player that it needs.
 
-use super::findings::{FindingData, findings};
-use super::keys::key_names;
+mod findings;
+mod keys;
+pub(super) mod pieces;
+pub(super) mod tuned;
+
 use super::media::is_gray;
 use super::sliders::Slider;
-use super::tuned::sliders;
 use super::{
     Composed, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
     UniformControl, UniformData, VERTEX, Wrapper, credits,
 };
+use findings::{FindingData, findings};
+use keys::key_names;
 use serde::Serialize;
 use shaderlint_semantic::{Pass, Sampler, Stage};
 use shaderlint_text::{FileId, Role, SourceFile};
+use tuned::sliders;
 
 #[derive(Serialize)]
 struct Payload<'a> {
