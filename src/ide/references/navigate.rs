@@ -1,9 +1,9 @@
 //! Definitions and references.
 
-use super::document::{Document, FileSpan, Spot};
 use super::family::{NameHere, family, name_at};
-use super::index::{NameUse, Occurrence};
-use super::symbol::{Symbol, declared_at};
+use crate::document::{Document, FileSpan, Spot};
+use crate::index::{NameUse, Occurrence};
+use crate::symbol::{Symbol, declared_at};
 use shaderlint_detect::embed::MentionKind;
 use shaderlint_engine::Files;
 use shaderlint_semantic::Base;

@@ -1,6 +1,6 @@
 //! One completion.
 
-use super::symbol::SymbolKind;
+use crate::symbol::SymbolKind;
 
 /// The kind of a completion.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -39,7 +39,7 @@ pub struct Proposal {
 }
 
 impl Proposal {
-    pub(super) fn new(label: impl Into<String>, kind: CompletionKind, rank: u16) -> Proposal {
+    pub(crate) fn new(label: impl Into<String>, kind: CompletionKind, rank: u16) -> Proposal {
         Proposal {
             label: label.into(),
             kind,
@@ -50,7 +50,7 @@ impl Proposal {
         }
     }
 
-    pub(super) fn detail(self, detail: impl Into<String>) -> Proposal {
+    pub(crate) fn detail(self, detail: impl Into<String>) -> Proposal {
         Proposal {
             detail: detail.into(),
             ..self

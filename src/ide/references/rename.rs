@@ -4,10 +4,10 @@
 //! the declarations that names refer to are compared. If one differs, the renaming is rejected with
 //! the position.
 
-use super::document::{Document, FileSpan, Overlay, SymbolOrigin};
 use super::family::{NameFamily, NameHere, family, name_at};
-use super::index::NameUse;
-use super::symbol::Symbol;
+use crate::document::{Document, FileSpan, Overlay, SymbolOrigin};
+use crate::index::NameUse;
+use crate::symbol::Symbol;
 use shaderlint_detect::embed::MentionKind;
 use shaderlint_diagnostic::Severity;
 use shaderlint_engine::Files;
@@ -351,7 +351,7 @@ fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<NameMea
         Some(shift) => shift.moved(place),
         None => place,
     };
-    let of = |(program, index): (&Program, &super::Index)| {
+    let of = |(program, index): (&Program, &crate::Index)| {
         let mut origins: BTreeMap<Symbol, Option<FileSpan>> = BTreeMap::new();
         let seen = index.all().iter().filter(|o| o.access != NameUse::Unseen);
         let meaning = seen.filter_map(|o| {

@@ -1,9 +1,14 @@
 //! Code completion.
 
+mod candidates;
+mod expected;
+pub(super) mod proposal;
+mod usage;
+
 use super::document::{Document, Spot};
-use super::expected::LETTERS;
-use super::proposal::{CompletionKind, PLACEHOLDER, Proposal};
 use super::symbol::SymbolKind;
+use expected::LETTERS;
+use proposal::{CompletionKind, PLACEHOLDER, Proposal};
 use shaderlint_engine::Files;
 use shaderlint_lint::Page;
 use shaderlint_rules::RULES;
@@ -65,7 +70,7 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
             };
             match place {
                 CompletionPlace::Member => members(&spot),
-                _ => super::candidates::names(&spot),
+                _ => candidates::names(&spot),
             }
         }
     };
@@ -99,7 +104,7 @@ fn with_hole(document: &Document, word: Span) -> Option<String> {
 /// Whether the placeholder is in active code of a shader.
 fn has_hole(document: &Document) -> bool {
     let mut all = document.report.analyses.iter();
-    all.any(|analysis| super::candidates::hole(&analysis.program).is_some())
+    all.any(|analysis| candidates::hole(&analysis.program).is_some())
 }
 
 /// The syntactic context of a completion.

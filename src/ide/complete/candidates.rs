@@ -1,12 +1,12 @@
 //! The names, keywords and snippets that a completion offers, most likely first.
 
-use super::document::Spot;
 use super::expected::{Expected, Fit};
-use super::library::entry;
 use super::proposal::{CompletionKind, PLACEHOLDER, Proposal};
-use super::signature::builtin_head;
-use super::symbol::{Symbol, SymbolKind, declared_at};
 use super::usage::{Usage, WordPlace};
+use crate::document::Spot;
+use crate::library::entry;
+use crate::signature::builtin_head;
+use crate::symbol::{Symbol, SymbolKind, declared_at};
 use shaderlint_host::Preset;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Dialect, Direction, Pass, Program, Stage, Storage, Type, VariableId};
@@ -27,7 +27,7 @@ struct Candidates<'p> {
 }
 
 /// The names, keywords and snippets at a placeholder, most likely first.
-pub(super) fn names(spot: &Spot) -> Vec<Proposal> {
+pub(crate) fn names(spot: &Spot) -> Vec<Proposal> {
     let program = spot.program();
     let code = spot.document.report.sources.code_at(spot.address);
     let (text, base) = code.map_or(("", spot.address), |code| (code.text, code.base));
@@ -259,7 +259,7 @@ impl Candidates<'_> {
             }
             let params: Vec<Type> = function.params.iter().map(|p| p.ty).collect();
             let fit = self.expected.call(program, &params, function.returns);
-            let names = super::symbol::parameter_names(program, function);
+            let names = crate::symbol::parameter_names(program, function);
             let item = Proposal::new(name, CompletionKind::Symbol(SymbolKind::Function), 0);
             let item = item.detail(symbol.declaration(program));
             self.add_call(item, self.name_fit(fit), Some(&names));
@@ -325,7 +325,7 @@ impl Candidates<'_> {
             let fit = self.expected.variable(program, ty, true);
             let item = Proposal {
                 text: entry(name).map_or(String::new(), |e| e.text.clone()),
-                ..item.detail(super::symbol::builtin_variable(program, name).unwrap_or_default())
+                ..item.detail(crate::symbol::builtin_variable(program, name).unwrap_or_default())
             };
             self.add(item, self.name_fit(fit));
         }

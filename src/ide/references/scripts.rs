@@ -1,7 +1,7 @@
 //! The names of a shader in the scripts that use it.
 
-use super::document::Document;
-use super::symbol::{Symbol, SymbolKind};
+use crate::document::Document;
+use crate::symbol::{Symbol, SymbolKind};
 use shaderlint_detect::embed::{DocumentLanguage, Mention, MentionKind, NameRole, mentions};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_semantic::{Program, Stage};

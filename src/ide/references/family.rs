@@ -1,10 +1,10 @@
 //! The names that must be the same: those of one symbol, and of its declarations in other branches
 //! of `#if` and in other files, and in the scripts that use the shader.
 
-use super::document::{Document, FileSpan, Spot, SymbolOrigin};
-use super::index::{NameUse, Occurrence, is_inactive};
 use super::scripts::{in_scripts, names_file, role};
-use super::symbol::{Symbol, SymbolKind};
+use crate::document::{Document, FileSpan, Spot, SymbolOrigin};
+use crate::index::{NameUse, Occurrence, is_inactive};
+use crate::symbol::{Symbol, SymbolKind};
 use shaderlint_detect::embed::{MentionKind, NameRole};
 use shaderlint_engine::Files;
 use shaderlint_semantic::builtins::Builtins;

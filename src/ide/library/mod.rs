@@ -1,7 +1,9 @@
 //! Documentation of built-in functions and variables, from `built_ins.txt`; and of ShaderToy's
 //! uniforms, from the file of its host.
 
-use super::figure::plot;
+mod figure;
+
+use figure::plot;
 use rustc_hash::FxHashMap;
 use shaderlint_host::shadertoy;
 use std::sync::OnceLock;

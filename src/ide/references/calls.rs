@@ -1,9 +1,9 @@
 //! The call hierarchy, with the estimated cost of functions.
 
-use super::document::{Document, FileSpan};
 use super::family::{NameHere, compiled_name};
-use super::hover::operations;
-use super::symbol::{Symbol, declared_at};
+use crate::document::{Document, FileSpan};
+use crate::hover::operations;
+use crate::symbol::{Symbol, declared_at};
 use shaderlint_lint::Facts;
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::ExprId;
