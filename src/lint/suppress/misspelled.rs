@@ -1,7 +1,7 @@
 //! Malformed suppression comments: `shaderlint-disable-line x`, `shaderlint allow(x)`,
 //! `shaderlint: alow(x)`. Comments for other programs are ignored.
 
-use super::rule::{Group, Rule};
+use crate::rule::{Group, Rule};
 use std::ops::Range;
 
 /// The name of the program in comments.

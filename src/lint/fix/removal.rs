@@ -1,6 +1,6 @@
 //! Edits that remove code cleanly: no blank line where a statement was, no comma left over.
 
-use super::rule::DeclaredVariable;
+use crate::rule::DeclaredVariable;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{Declarator, Extent};
 use shaderlint_text::{Edit, Span};

@@ -1,6 +1,6 @@
 //! Result of a check, for the comparison before and after fixes.
 
-use super::checked_spans::CheckedSpans;
+use crate::checked_spans::CheckedSpans;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_semantic::Program;
 use shaderlint_text::Span;

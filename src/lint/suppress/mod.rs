@@ -5,10 +5,12 @@
 //! errors cannot be allowed: the browser rejects the shader anyway. A file that tests a compiler uses
 //! `expect(error)` in the same way: the error is hidden, and its absence is reported.
 
-use super::misspelled::{self, MisspelledComment};
-use super::removal::remove_lines;
+mod misspelled;
+
+use super::fix::removal::remove_lines;
 use super::rule::{Rule, rule_name};
 use super::settings::{Settings, nearest_rule};
+use misspelled::MisspelledComment;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Diagnostic, ERRORS, Fix, Origin};
 use shaderlint_semantic::Program;

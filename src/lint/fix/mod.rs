@@ -1,7 +1,13 @@
 //! The fix engine: selects fixes that do not overlap, applies them, and repeats until no fix is left.
+//! Also helpers for the edits of fixes: removals and indentation.
 
-use super::change::{ErrorChange, Moves, errors};
-use super::look::Look;
+mod change;
+pub mod indent;
+pub(super) mod look;
+pub(super) mod removal;
+
+use change::{ErrorChange, Moves, errors};
+use look::Look;
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Sources, Span, apply_edits};
