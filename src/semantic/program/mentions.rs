@@ -1,6 +1,6 @@
 //! Uses of each variable.
 
-use super::lists::Lists;
+use crate::lists::Lists;
 use crate::{Program, Resolution, VariableId};
 use shaderlint_syntax::ast::{ExprId, Extent};
 

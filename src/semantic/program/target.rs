@@ -1,6 +1,6 @@
 //! Targets of assignments.
 
-use super::{Program, VariableId};
+use crate::{Program, VariableId};
 use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::*;
 

@@ -1,7 +1,7 @@
 //! The call graph.
 
-use super::lists::Lists;
-use super::{FunctionRef, Program};
+use crate::lists::Lists;
+use crate::{FunctionRef, Program};
 use std::collections::VecDeque;
 
 /// Calls between a shader's functions, indexed by callee and by caller.

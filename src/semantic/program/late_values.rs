@@ -1,7 +1,7 @@
 //! Initial values of global variables that are not constant: GLSL ES 1.00 accepts some, GLSL ES 3.00
 //! does not.
 
-use super::program::Program;
+use super::Program;
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::{
     DeclKind, Declarator, ExprId, Extent, FunctionDecl, Item, Qualifier, QualifierKind, TokenId,

@@ -1,4 +1,13 @@
-//! The result of checking a shader. It is immutable.
+//! The result of checking a shader, which is immutable, and what can be read off it.
+
+pub(super) mod calls;
+pub mod interface;
+pub(super) mod late_values;
+pub(super) mod mentions;
+pub(super) mod reach;
+mod static_use;
+pub(super) mod structure;
+pub(super) mod target;
 
 use super::builtins::{BuiltinId, Builtins, Overload, Stage};
 use super::constant::{Constant, Pool, Value};
