@@ -41,27 +41,27 @@ fn lint_stdin(args: &[&str], text: &str) -> Output {
 }
 
 #[test]
-fn format_human() {
+fn the_human_format_shows_the_code() {
     assert_cmd_snapshot!(lint(&["mixed.glsl"]));
 }
 
 #[test]
-fn format_short() {
+fn the_short_format_has_one_line_per_finding() {
     assert_cmd_snapshot!(lint(&["--format", "short", "mixed.glsl"]));
 }
 
 #[test]
-fn format_json() {
+fn json_output_lists_all_findings() {
     assert_cmd_snapshot!(lint(&["--format", "json", "mixed.glsl"]));
 }
 
 #[test]
-fn format_jsonl() {
+fn jsonl_output_has_one_finding_per_line() {
     assert_cmd_snapshot!(lint(&["--format", "jsonl", "mixed.glsl"]));
 }
 
 #[test]
-fn colors() {
+fn findings_are_coloured_on_request() {
     assert_cmd_snapshot!(lint(&["--color", "always", "warned.glsl"]));
 }
 
@@ -71,7 +71,7 @@ fn an_export_names_its_passes() {
 }
 
 #[test]
-fn a_clean_file_is_summed_up() {
+fn clean_files_are_summarised() {
     assert_cmd_snapshot!(lint(&["clean.glsl"]));
 }
 
@@ -93,53 +93,53 @@ fn warnings_pass_unless_denied() {
 }
 
 #[test]
-fn a_folder_is_searched() {
+fn folders_are_searched_for_shaders() {
     assert_cmd_snapshot!(lint(&["--format", "short", "folder"]));
 }
 
 #[test]
-fn a_folder_without_shaders() {
+fn folders_without_shaders_are_reported() {
     assert_cmd_snapshot!(lint(&["without"]));
 }
 
 #[test]
-fn a_missing_file() {
+fn missing_files_are_reported_and_others_checked() {
     assert_cmd_snapshot!(lint(&["missing.glsl", "clean.glsl"]));
 }
 
 #[test]
-fn a_file_that_is_no_export() {
+fn json_files_that_are_not_exports_are_skipped() {
     assert_cmd_snapshot!(lint(&["folder/package.json"]));
 }
 
 #[test]
-fn an_empty_file() {
+fn empty_files_are_reported() {
     assert_cmd_snapshot!(lint(&["empty.glsl"]));
 }
 
 #[test]
-fn a_file_that_is_not_utf8() {
+fn files_that_are_not_utf8_are_reported() {
     assert_cmd_snapshot!(lint(&["latin1.glsl"]));
 }
 
 #[test]
-fn a_nul() {
+fn nul_characters_are_errors() {
     assert_cmd_snapshot!(lint(&["nul.glsl"]));
 }
 
 #[test]
-fn an_unknown_rule() {
+fn unknown_rules_get_suggestions() {
     assert_cmd_snapshot!(lint(&["--ignore", "float-equalty", "clean.glsl"]));
 }
 
 #[test]
-fn no_path_is_the_current_folder() {
+fn without_a_path_the_current_folder_is_checked() {
     let run = |args: &[&str]| lint(args).output().unwrap();
     assert_eq!(run(&[]), run(&["."]));
 }
 
 #[test]
-fn help() {
+fn the_help_lists_all_options() {
     assert_cmd_snapshot!(lint(&["--help"]));
     // The list of targets depends on the features; the snapshot contains all of them.
     if cfg!(feature = "naga") {
@@ -148,7 +148,7 @@ fn help() {
 }
 
 #[test]
-fn standard_input() {
+fn standard_input_is_checked_as_the_named_file() {
     let out = lint_stdin(
         &["-", "--stdin-filename", "a/b.vert", "--format", "short"],
         "#version 300 es\nvoid main() { gl_Position = vec3(1.0); }\n",
@@ -207,7 +207,7 @@ impl Folder {
 }
 
 #[test]
-fn a_page_is_written_once() {
+fn existing_pages_are_not_overwritten() {
     let folder = Folder::new();
     assert_eq!(
         folder.port(&["clean.glsl", "-o", "a.html"]),
@@ -300,7 +300,7 @@ fn a_folder_of_passes_is_one_project() {
 }
 
 #[test]
-fn old_code_is_repaired() {
+fn webgl1_code_in_shadertoy_shaders_is_repaired() {
     let folder = Folder::new();
     let (code, text) = folder.port(&["old.glsl", "-o", "a.frag"]);
     assert_eq!(code, Some(1), "only with an option");
@@ -320,7 +320,7 @@ fn old_code_is_repaired() {
 }
 
 #[test]
-fn webgl1_is_repaired() {
+fn webgl1_shaders_are_repaired() {
     let folder = Folder::new();
     let (code, text) = folder.port(&["webgl1.frag", "-o", "a.html"]);
     assert_eq!(code, Some(0), "a page plays it unchanged: {text}");
@@ -378,12 +378,12 @@ fn external_text_cannot_escape_its_element() {
 }
 
 #[test]
-fn excerpts_in_a_text() {
+fn excerpts_in_markdown_are_checked() {
     assert_cmd_snapshot!(lint(&["--format", "short", "notes.md"]));
 }
 
 #[test]
-fn tests_in_glsl() {
+fn tests_in_glsl_are_run_and_reported() {
     assert_cmd_snapshot!(lint(&["test", "tested"]));
     assert_cmd_snapshot!(lint(&["test", "--help"]));
     assert_cmd_snapshot!(lint(&["test", "parameters"]));

@@ -33,7 +33,7 @@ fn golden(input: &Path, kind: &str, content: String) {
 }
 
 #[test]
-fn what_shaderlint_says() {
+fn templates_have_recorded_findings() {
     for path in templates() {
         let text = fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
@@ -49,7 +49,7 @@ fn what_shaderlint_says() {
 }
 
 #[test]
-fn what_shaderport_writes() {
+fn templates_have_recorded_ports() {
     for path in templates() {
         let text = fs::read_to_string(&path).unwrap();
         let stem = path.file_stem().unwrap().to_str().unwrap();
@@ -66,7 +66,7 @@ fn what_shaderport_writes() {
 }
 
 #[test]
-fn what_shaders_become() {
+fn templates_have_recorded_ir() {
     for path in templates() {
         let text = fs::read_to_string(&path).unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();

@@ -87,7 +87,7 @@ impl Numbers {
 /// Every value that a variable has after a statement that writes it is that of a trace of other code:
 /// the code of the image, in which variables share registers.
 #[test]
-fn values_are_those_of_a_trace() {
+fn debugged_values_equal_those_of_a_trace() {
     // Early, because buffers are drawn from the first frame on.
     let moment = Moment::of_frame(3);
     let mut compared = 0;
@@ -251,7 +251,7 @@ impl DebugClient<'_> {
 
 /// Whatever the way to a moment, everything that is shown there is the same.
 #[test]
-fn random_walks_come_back_to_every_bit() {
+fn stepping_back_restores_every_bit() {
     let forwards = [
         "next",
         "stepIn",

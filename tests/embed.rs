@@ -24,7 +24,7 @@ pub fn size(png: &[u8]) -> (u32, u32) {
 }
 
 #[test]
-fn only_pages_are_embedded() {
+fn embedding_requires_a_page() {
     let folder = Folder::new();
     let message = "`--embed` requires an HTML page; use `-o NAME.html`";
     for args in [
@@ -59,7 +59,7 @@ fn only_pages_are_embedded() {
 }
 
 #[test]
-fn link_previews_need_an_address() {
+fn link_previews_require_an_address() {
     let folder = Folder::new();
     folder.put("sea & sky.glsl", COLORED);
     folder.put("b.glsl", COLORED);
@@ -100,7 +100,7 @@ fn link_previews_need_an_address() {
 }
 
 #[test]
-fn a_still_image_overwrites_nothing() {
+fn still_images_do_not_overwrite_files() {
     let folder = Folder::new();
     let url = "--embed --url https://e.org/a.html";
     folder.put("b.glsl", COLORED);
@@ -119,7 +119,7 @@ fn a_still_image_overwrites_nothing() {
 
 /// Without a still image, the page is written all the same.
 #[test]
-fn a_page_without_a_still_image_says_why() {
+fn pages_without_a_still_image_give_the_reason() {
     let folder = Folder::new();
     let embed = |code: &str| {
         folder.put("x.glsl", code);
@@ -148,7 +148,7 @@ fn a_page_without_a_still_image_says_why() {
 
 /// Noise does not compress; its image is smaller.
 #[test]
-fn a_still_image_is_a_small_file() {
+fn still_images_are_small_files() {
     let folder = Folder::new();
     let noise = "fract(sin(p.xyx * vec3(12.9, 78.2, 37.7) + p.yxx * 4.1) * 43758.5)";
     let code = format!("void mainImage(out vec4 c, in vec2 p) {{ c = vec4({noise}, 1.0); }}\n");
@@ -160,7 +160,7 @@ fn a_still_image_is_a_small_file() {
 
 /// Shaders that start black are drawn later.
 #[test]
-fn a_still_image_shows_something() {
+fn still_images_are_not_black() {
     let folder = Folder::new();
     let code = COLORED.replace("1.0);", "1.0) * step(4.0, iTime);");
     folder.put("late.glsl", code);

@@ -11,7 +11,7 @@ const NO_ADDRESSES: &str = "note: link previews show no images, because `og:imag
     absolute address; pass the address of the output folder with `--url`";
 
 #[test]
-fn a_gallery_has_a_page_for_each_shader() {
+fn galleries_have_a_page_for_each_shader() {
     let folder = Folder::new();
     folder.put("s/b.glsl", COLORED);
     folder.put("s/deep/c.frag", format!("#include \"lib.glsl\"\n{COLORED}"));
@@ -75,7 +75,7 @@ fn a_gallery_has_a_page_for_each_shader() {
 }
 
 #[test]
-fn shaders_with_errors_are_left_out_of_a_gallery() {
+fn shaders_with_errors_are_not_in_the_gallery() {
     let folder = Folder::new();
     folder.put("s/good.glsl", COLORED);
     folder.put(
@@ -96,7 +96,7 @@ fn shaders_with_errors_are_left_out_of_a_gallery() {
 }
 
 #[test]
-fn shaders_of_a_gallery_have_different_names() {
+fn shaders_of_a_gallery_must_have_different_names() {
     let folder = Folder::new();
     let fails = |message: &str| folder.fails("gallery s -o out", message);
     folder.put("s/a.glsl", COLORED);
@@ -114,7 +114,7 @@ fn shaders_of_a_gallery_have_different_names() {
 
 /// The command does not take the name away from files.
 #[test]
-fn a_file_may_be_called_gallery() {
+fn files_may_be_named_like_the_gallery_command() {
     let folder = Folder::new();
     folder.put("gallery", COLORED);
     folder.works("./gallery -o gallery.html", "");
@@ -134,7 +134,7 @@ fn array(shaders: &[(&str, &str)]) -> String {
 }
 
 #[test]
-fn several_exports_are_a_gallery() {
+fn several_exports_form_a_gallery() {
     let folder = Folder::new();
     folder.put("all.json", array(&[("Sea", "0.1 +"), ("Land", "0.2 +")]));
     folder.put("one.json", array(&[("Sky", "0.3 +")]));
@@ -174,7 +174,7 @@ fn several_exports_are_a_gallery() {
 
 /// Only the page of a shader that changed is written again.
 #[test]
-fn a_watched_gallery_follows_its_shaders() {
+fn a_watched_gallery_rewrites_changed_pages_only() {
     let folder = Folder::new();
     folder.put("s/all.json", array(&[("Sea", "0.1 +"), ("Land", "0.2 +")]));
     folder.put("s/own.glsl", COLORED);

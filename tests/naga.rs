@@ -274,7 +274,7 @@ fn complete_shaders_translate_to_all_languages() {
 }
 
 #[test]
-fn the_interface_names_what_a_host_feeds() {
+fn the_interface_lists_the_inputs_from_the_host() {
     let shown = |(stage, code): &(Stage, &str), language| {
         let (lowered, text) = translate_complete(&checked(*stage, code), language).unwrap();
         let head = String::from_utf8_lossy(&text);
@@ -530,7 +530,7 @@ fn operands_are_evaluated_in_the_order_of_the_browser() {
 /// The steps after a branch that returns are in its other side if they take derivatives: compilers that
 /// join both sides would give the pixels that returned other values.
 #[test]
-fn derivatives_after_a_return_are_in_the_other_side() {
+fn derivatives_after_a_return_move_to_the_else_branch() {
     let of = |rest: &str| {
         wgsl(&format!(
             "float f(vec2 p) {{ if (p.x > 1.0) {{ p.x -= 0.4; return 0.0; }} {rest} }}\n\
@@ -741,7 +741,7 @@ fn invalid_constant_expressions_are_evaluated_at_run_time() {
 }
 
 #[test]
-fn the_form_of_wgsl() {
+fn wgsl_output_is_as_recorded() {
     insta::assert_snapshot!(wgsl(include_str!("fixtures/naga.glsl")));
 }
 

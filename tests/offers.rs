@@ -93,7 +93,7 @@ fn options(example: &Example) -> Options {
 }
 
 #[test]
-fn offered_fixes_are_right() {
+fn offered_fixes_remove_their_finding() {
     let (mut tried, mut problems) = (0, Vec::new());
     for example in examples() {
         let report = check(&example.0, &example.1, &options(&example), &NoFiles);

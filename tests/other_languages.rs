@@ -45,7 +45,7 @@ fn global(broken: &str, meant: &str) {
 }
 
 #[test]
-fn types_and_functions_of_other_languages_are_known() {
+fn types_and_functions_of_other_languages_are_replaced() {
     statement("float3 c = a; b = c;", "vec3 c = a; b = c;");
     statement(
         "vec2 c = half2(x, y); x = c.x;",
@@ -73,7 +73,7 @@ fn types_and_functions_of_other_languages_are_known() {
 }
 
 #[test]
-fn a_word_that_the_shader_declares_is_its_own() {
+fn names_that_the_shader_declares_are_not_replaced() {
     let own = "float lerp(float a, float b) { return a * b; }\nstruct float3 { float x; };\n";
     let code = format!(
         "{HEAD}{own}{BEFORE}float var = lerp(x, y); float3 c = float3(var); x = c.x;{AFTER}"
@@ -82,7 +82,7 @@ fn a_word_that_the_shader_declares_is_its_own() {
 }
 
 #[test]
-fn declarations_without_a_type_get_that_of_their_value() {
+fn declarations_without_a_type_get_the_type_of_their_value() {
     statement("var c = a * 2.0; b = c;", "vec3 c = a * 2.0; b = c;");
     statement("let c: f32 = 1.0; x = c;", "float c = 1.0; x = c;");
     statement("let c: vec3<f32> = a; b = c;", "vec3 c = a; b = c;");
@@ -96,7 +96,7 @@ fn declarations_without_a_type_get_that_of_their_value() {
 }
 
 #[test]
-fn operators_of_other_languages_are_understood() {
+fn operators_of_other_languages_are_replaced() {
     statement(
         "if (p and x > 1.0) { x = 1.0; }",
         "if (p && x > 1.0) { x = 1.0; }",
@@ -120,7 +120,7 @@ fn operators_of_other_languages_are_understood() {
 }
 
 #[test]
-fn heads_of_other_languages_are_understood() {
+fn statement_headers_of_other_languages_are_replaced() {
     statement(
         "if (p) { x = 1.0; } elif (q) { x = 2.0; } else { x = 3.0; }",
         "if (p) { x = 1.0; } else if (q) { x = 2.0; } else { x = 3.0; }",
@@ -150,7 +150,7 @@ fn heads_of_other_languages_are_understood() {
 }
 
 #[test]
-fn arguments_are_dropped_added_and_swapped() {
+fn arguments_are_removed_added_and_swapped() {
     statement("x = ring(uv);", "x = ring(uv, 0.0);");
     statement("x = ring(true, uv, y);", "x = ring(uv, y);");
     statement("x = ring(y, uv);", "x = ring(uv, y);");
@@ -160,7 +160,7 @@ fn arguments_are_dropped_added_and_swapped() {
 }
 
 #[test]
-fn a_fourth_component_is_opaque_and_a_point() {
+fn a_missing_fourth_component_is_one() {
     statement("fragColor = a;", "fragColor = vec4(a, 1.0);");
     statement("fragColor = x;", "fragColor = vec4(vec3(x), 1.0);");
     statement("fragColor = vec4(a);", "fragColor = vec4(a, 1.0);");
@@ -169,7 +169,7 @@ fn a_fourth_component_is_opaque_and_a_point() {
 }
 
 #[test]
-fn what_cannot_be_written_to_is_copied_and_what_is_declared_twice_is_one() {
+fn constants_that_are_written_become_variables_and_redeclarations_are_removed() {
     statement("const float k = 1.0; k += 2.0;", "float k = 1.0; k += 2.0;");
     statement("a.xx = uv;", "a.xy = uv;");
     statement(
@@ -195,7 +195,7 @@ fn what_cannot_be_written_to_is_copied_and_what_is_declared_twice_is_one() {
 }
 
 #[test]
-fn the_uses_of_a_variable_decide_whether_its_type_or_its_value_is_wrong() {
+fn uses_of_a_variable_decide_whether_its_type_or_value_is_fixed() {
     statement(
         "int c = 1.5; x = c * 2.0; y = c;",
         "float c = 1.5; x = c * 2.0; y = c;",
@@ -206,7 +206,7 @@ fn the_uses_of_a_variable_decide_whether_its_type_or_its_value_is_wrong() {
 }
 
 #[test]
-fn a_reserved_word_in_the_place_of_a_name_is_that_alone() {
+fn reserved_words_used_as_names_are_the_only_error() {
     for word in [
         "typedef",
         "enum",

@@ -356,12 +356,12 @@ fn path_of(rule: &Rule) -> String {
 }
 
 #[test]
-fn pages_of_rules() {
+fn examples_of_rule_pages_have_recorded_findings() {
     run(RULES.iter().map(|r| (path_of(r), r.name)));
 }
 
 #[test]
-fn pages_of_errors() {
+fn examples_of_error_pages_have_recorded_findings() {
     run(ERRORS
         .iter()
         .map(|name| (format!("rules/errors/{name}.md"), *name)));
@@ -369,7 +369,7 @@ fn pages_of_errors() {
 
 /// The list of the files of hosts, which names each. Their folders are kinds of hosts, for readers.
 #[test]
-fn list_of_hosts() {
+fn the_list_of_hosts_is_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/host");
     let mut rows = BTreeMap::new();
     for (path, _) in files(&["src/host/presets"], ".glsl") {
@@ -388,7 +388,7 @@ fn list_of_hosts() {
 }
 
 #[test]
-fn pages_of_hosts() {
+fn pages_of_hosts_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/hosts");
     let words: String = Feed::ALL
         .iter()
@@ -512,7 +512,7 @@ fn with_table(text: &str, table: &Table, folder: &str) -> Option<String> {
 }
 
 #[test]
-fn tables_of_rules_and_errors() {
+fn tables_of_rules_and_errors_are_up_to_date() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/README.md");
     let text = fs::read_to_string(&path).unwrap();
     let fresh = TABLES.iter().fold(text.clone(), |text, table| {
@@ -542,7 +542,7 @@ fn options_of(rule: &Rule) -> String {
 const OPTIONS: &str = "\n## Options\n\n";
 
 #[test]
-fn pages_end_with_the_options() {
+fn pages_end_with_an_up_to_date_list_of_options() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let outdated = RULES.iter().filter_map(|rule| {
         let text = rule.page.split(OPTIONS).next().unwrap().to_string();
@@ -553,7 +553,7 @@ fn pages_end_with_the_options() {
 }
 
 #[test]
-fn a_table_stands_between_its_markers() {
+fn tables_are_replaced_between_their_markers() {
     let text = "# A\n\n<!-- rules -->\nold\n<!-- /rules -->\n\nmore\n";
     let fresh = with_table(text, &TABLES[0], "rules/").unwrap();
     assert!(fresh.starts_with("# A\n\n<!-- rules -->\n\n| rule "));
@@ -564,7 +564,7 @@ fn a_table_stands_between_its_markers() {
 }
 
 #[test]
-fn a_page_without_its_parts_is_refused() {
+fn pages_with_missing_parts_are_refused() {
     let parts = |text: &str| missing_parts("flat-frame", text).len();
     let body = "one two three four five\n";
     let whole = format!(
@@ -576,7 +576,7 @@ fn a_page_without_its_parts_is_refused() {
 }
 
 #[test]
-fn a_head_keeps_its_version() {
+fn the_head_of_a_page_keeps_its_version() {
     let page = "# flat-frame\n\n**Since:** 0.0.9\n\nSummary.\n\n## Why it matters\n\nText.\n";
     let fresh = with_head("flat-frame", page);
     assert!(fresh.contains(" **Severity:** warning ") && fresh.contains("**Since:** 0.0.9\n"));
@@ -587,7 +587,7 @@ fn a_head_keeps_its_version() {
 }
 
 #[test]
-fn a_fence_is_labelled_once() {
+fn fences_are_labelled_once() {
     let once = labelled("Text.\n\n```glsl good\n", Some("Accepted:"));
     assert_eq!(once, "Text.\n\nAccepted:\n\n```glsl good\n");
     assert_eq!(labelled(&once, Some("Accepted:")), once);

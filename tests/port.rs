@@ -372,7 +372,7 @@ fn all_unicode_encodings_are_read() {
 
 /// A page is small enough to send.
 #[test]
-fn a_page_of_a_template_is_small() {
+fn pages_of_templates_are_small() {
     let folder = Folder::new();
     for name in ["raymarching", "terrain", "voxel"] {
         let root = env!("CARGO_MANIFEST_DIR");
@@ -426,7 +426,7 @@ fn unrepairable_text_is_not_reported_as_repaired() {
 }
 
 #[test]
-fn a_channel_is_named_by_its_sampler() {
+fn channels_are_named_by_their_sampler() {
     let folder = Folder::new();
     let code = "precision highp float;\nuniform sampler2D u_photo;\n\
         void main() { gl_FragColor = texture2D(u_photo, vec2(0.5)); }\n";
@@ -444,7 +444,7 @@ fn a_channel_is_named_by_its_sampler() {
 }
 
 #[test]
-fn shaders_of_other_engines_are_one_error_and_nothing_is_written() {
+fn shaders_of_other_engines_are_one_error_and_write_no_files() {
     let folder = Folder::new();
     let godot =
         "// Waves\nshader_type canvas_item;\nvoid fragment() { COLOR = vec4(UV, 0.0, 1.0); }\n";
@@ -475,7 +475,7 @@ fn shaders_of_other_engines_are_one_error_and_nothing_is_written() {
 }
 
 #[test]
-fn a_named_file_that_is_not_checked_is_reported() {
+fn skipped_files_that_were_named_are_reported() {
     let folder = Folder::new();
     folder.put(
         "waves.glsl",

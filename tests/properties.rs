@@ -233,7 +233,7 @@ proptest! {
     }
 
     #[test]
-    fn line_ends_make_no_difference(text in texts()) {
+    fn kinds_of_line_breaks_do_not_affect_findings(text in texts()) {
         let (unix, windows) = (judge(&text), judge(&text.replace('\n', "\r\n")));
         prop_assert_eq!(summary(&unix), summary(&windows));
     }

@@ -30,7 +30,7 @@ fn check(name: &str, code: &str, expected: &[&str]) {
 
 /// A name of the shader that GLSL ES 3.00 takes gets another name.
 #[test]
-fn names_that_the_newer_version_takes_are_replaced() {
+fn names_that_glsl_es_3_reserves_are_replaced() {
     let (lines, message) = repaired(
         "sampler.frag",
         "#ifdef GL_ES\nprecision mediump float;\n#endif\nuniform sampler2D texture;\nvarying vec2 uv;\n\
@@ -73,7 +73,7 @@ fn names_that_the_newer_version_takes_are_replaced() {
 
 /// What compiles as WebGL1 is left if it cannot be converted.
 #[test]
-fn what_cannot_be_converted_is_left() {
+fn webgl1_shaders_that_cannot_be_converted_are_kept() {
     let folder = Folder::new();
     let code = "#if __VERSION__ != 100\n#error expected GLSL ES 1.00\n#endif\nprecision highp float;\n\
                 void main() { gl_FragColor = vec4(1.0); }\n";
@@ -87,7 +87,7 @@ fn what_cannot_be_converted_is_left() {
 
 /// Errors are repaired in the version that the shader is written in before it is converted.
 #[test]
-fn errors_of_webgl1_are_repaired_before_the_conversion() {
+fn webgl1_errors_are_repaired_before_the_conversion() {
     check(
         "old.frag",
         "precision highp float;\nuniform float time;\nfloat sample(float x) { return x * 2; }\n\
@@ -101,7 +101,7 @@ fn errors_of_webgl1_are_repaired_before_the_conversion() {
 
 /// Initial values move to `main`, also if macros supply them.
 #[test]
-fn initial_values_from_macros_move() {
+fn initial_values_from_macros_move_to_main() {
     check(
         "desktop.frag",
         "#version 330\nuniform vec2 resolution;\nuniform float time;\nout vec4 c;\n#define res resolution\n\
@@ -166,7 +166,7 @@ fn integers_in_macros_are_converted() {
 
 /// WebGL2 refuses `? :` between structs and arrays.
 #[test]
-fn choices_of_structs_and_arrays_become_branches() {
+fn conditionals_of_structs_and_arrays_become_branches() {
     check(
         "choice.frag",
         "#version 330\nout vec4 c;\nstruct S { float a; vec3 b; };\n\
@@ -187,7 +187,7 @@ fn choices_of_structs_and_arrays_become_branches() {
 
 /// A choice in the body of a macro becomes a call there, with a function for each type of its uses.
 #[test]
-fn choices_in_macros_become_calls() {
+fn conditionals_in_macros_become_function_calls() {
     check(
         "macro.frag",
         "#version 330\nuniform float t;\nout vec4 c;\nstruct S { float d; vec3 col; };\n\
@@ -224,7 +224,7 @@ fn choices_in_macros_become_calls() {
 
 /// Where a function has overloads for integers and floats, desktop GLSL converts the integers.
 #[test]
-fn integers_among_floats_are_converted_in_all_functions() {
+fn integer_arguments_beside_floats_are_converted() {
     check(
         "overloads.frag",
         "#version 330\nuniform float x;\nuniform int i;\nuniform uint u;\nuniform vec2 p;\nuniform ivec2 q;\n\
@@ -292,7 +292,7 @@ fn shaders_in(folder: &Path, found: &mut Vec<PathBuf>) {
 
 /// No shader of this repository that compiles is refused after repairs.
 #[test]
-fn repairs_break_nothing() {
+fn repaired_shaders_still_compile() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut all = Vec::new();
     for folder in ["tests/fixtures", "corpus"] {

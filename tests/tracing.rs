@@ -49,7 +49,7 @@ fn loaded(path: &Path) -> Loaded {
 }
 
 #[test]
-fn a_traced_pixel_is_that_of_the_image() {
+fn traced_pixels_equal_those_of_the_image() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/templates");
     let files = fs::read_dir(folder)
         .unwrap()

@@ -29,7 +29,7 @@ fn hosts() -> impl Iterator<Item = &'static Preset> {
 }
 
 #[test]
-fn every_host_with_a_template_draws_the_same() {
+fn every_host_with_a_template_draws_the_same_image() {
     let folder = Folder::new();
     folder.put("toy.glsl", TOY);
     folder.put("still.glsl", STILL);
@@ -64,7 +64,7 @@ fn every_host_with_a_template_draws_the_same() {
 }
 
 #[test]
-fn what_a_host_lacks_is_an_error_where_it_is_used() {
+fn uses_of_variables_the_host_lacks_are_errors() {
     let folder = Folder::new();
     let check = |code: &str, target: &str, expected: &[&str]| {
         folder.put("x.glsl", code);
@@ -115,7 +115,7 @@ fn what_a_host_lacks_is_an_error_where_it_is_used() {
 
 /// ShaderToy's mouse is 0 until the first click, and so it stays.
 #[test]
-fn a_mouse_rests_where_there_is_none() {
+fn the_mouse_is_zero_on_hosts_without_one() {
     let folder = Folder::new();
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    \
         vec2 at = iMouse.z > 0.0 ? iMouse.xy : p;\n    c = vec4(sin(at), 0.0, 1.0);\n}\n";
@@ -133,7 +133,7 @@ fn a_mouse_rests_where_there_is_none() {
 }
 
 #[test]
-fn other_inputs_of_an_export_are_not_the_screen() {
+fn inputs_of_an_export_that_the_host_lacks_are_errors() {
     let folder = Folder::new();
     let export = |input: &str| {
         format!(
@@ -156,7 +156,7 @@ fn other_inputs_of_an_export_are_not_the_screen() {
 }
 
 #[test]
-fn flutter_gets_a_class_that_sets_its_uniforms() {
+fn flutter_output_has_a_class_that_sets_its_uniforms() {
     let folder = Folder::new();
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    \
         c = texture(iChannel0, p / iResolution.xy) * iMouse * float(iFrame) * iTime;\n}\n";
@@ -171,7 +171,7 @@ fn flutter_gets_a_class_that_sets_its_uniforms() {
 }
 
 #[test]
-fn programs_of_a_screen_saver_are_written_and_read() {
+fn screen_saver_programs_are_written_and_read_back() {
     let folder = Folder::new();
     folder.put(
         "toy/common.glsl",

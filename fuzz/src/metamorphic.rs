@@ -408,7 +408,7 @@ mod tests {
 
     /// Generated programs, with one transformation each.
     #[test]
-    fn changes_preserve_every_bit_of_programs() {
+    fn transformations_preserve_every_bit_of_programs() {
         let mut counts = [0; CHANGES.len()];
         for seed in 1..=350 {
             let at = seed as usize % CHANGES.len();
@@ -423,7 +423,7 @@ mod tests {
 
     /// Floats, marching loops and textures, too.
     #[test]
-    fn changes_preserve_every_bit_of_templates() {
+    fn transformations_preserve_every_bit_of_templates() {
         for name in ["raymarching", "terrain", "voxel"] {
             let path = format!(
                 "{}/../corpus/templates/{name}.glsl",

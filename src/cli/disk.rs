@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_written_just_now_has_no_version() {
+    fn recently_written_files_have_no_version() {
         let now = SystemTime::now();
         let at = |age| version_of(8, now - age, now);
         assert_eq!(at(Duration::ZERO), None);
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn the_current_folder_has_no_name() {
+    fn an_empty_path_is_the_current_folder() {
         assert_eq!(named(Path::new("")), Path::new("."));
         assert_eq!(named(Path::new("a")), Path::new("a"));
     }

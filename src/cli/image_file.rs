@@ -89,7 +89,7 @@ mod tests {
     use crate::commands::run::Bitmap;
 
     #[test]
-    fn an_image_is_as_large_as_it_may_be() {
+    fn images_above_the_pixel_limit_are_refused() {
         let file = Bitmap::filled([3, 2], [1, 2, 3]).png().unwrap();
         assert_eq!(of_png(&file, 6).unwrap().colors, [[1, 2, 3, 255]; 6]);
         let message = "the image has 3x2 pixels; the limit is 5 pixels";

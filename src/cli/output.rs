@@ -100,7 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_has_changed_is_not_written_over() {
+    fn files_changed_in_the_meantime_are_not_overwritten() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.glsl");
         fs::write(&path, "new").unwrap();

@@ -104,7 +104,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_line_shows_how_far_it_is() {
+    fn the_progress_line_shows_the_completed_share() {
         let second = Duration::from_secs(2);
         assert_eq!(line([0, 1], [0, 0], second), "drawing, 2 s");
         assert_eq!(

@@ -294,7 +294,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hit_conditions() {
+    fn hit_conditions_compare_the_hit_count() {
         let hits = |text: &str| -> Vec<u64> {
             let condition = HitCondition::read(text).unwrap();
             (1..=6).filter(|n| condition.holds(*n)).collect()

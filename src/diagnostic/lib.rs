@@ -306,7 +306,7 @@ mod tests {
     use super::count;
 
     #[test]
-    fn only_one_is_singular() {
+    fn only_a_count_of_one_is_singular() {
         assert_eq!(count(0_usize, "file"), "0 files");
         assert_eq!(count(1_u8, "file"), "1 file");
         assert_eq!(count(12_u64, "more finding"), "12 more findings");

@@ -1,7 +1,7 @@
 //! The environment of a check: options and files.
 
-use super::files::{Dependency, Files};
-use super::options::Options;
+use crate::files::{Dependency, Files};
+use crate::options::Options;
 
 /// What is kept of a checked shader.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

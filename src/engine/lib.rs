@@ -5,104 +5,34 @@
 //! files and print findings.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
-mod analysis;
-mod assumption;
-mod check;
 mod check_context;
 pub mod config;
-mod document;
-mod embedded;
-mod export;
-mod file_cache;
 mod files;
+mod findings;
 mod fix;
-mod foreign;
-mod format;
-mod group;
-mod host;
-mod hosted;
-mod inactive;
+mod hosts;
 mod include;
-mod input;
 pub mod inputs;
-mod leading_blanks;
-mod look;
-mod modernize;
-mod offer;
 mod options;
-mod partner;
-mod place;
-mod prelude;
-mod reading;
 mod repair;
-mod repository;
-mod required;
 mod shader;
-mod shader_input;
-mod typo;
-mod unknown;
-mod upgrade;
-mod verify;
-mod version;
+mod text;
 
-pub use analysis::Analysis;
-pub use document::{Report, Unread};
-pub use file_cache::FileCache;
+pub use files::file_cache::FileCache;
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
-pub use fix::fix_text;
-pub use format::{Formatting, format};
+pub use findings::document::{Report, Unread, analyze, check, check_content};
+pub use findings::partner::program_name;
+pub use fix::fix_text::fix_text;
+pub use fix::format::{Formatting, format};
+pub use fix::modernize::modernize;
+pub use fix::offer::Offer;
+pub use fix::verify::{Original, Verified, equal, verify};
 pub use include::{Absence, FileMoves, MissingInclude, moved_includes};
-pub use modernize::modernize;
-pub use offer::Offer;
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
-pub use partner::program_name;
 pub use repair::{Repairs, repair, repairable};
-pub use shader_input::Shader;
+pub use shader::analysis::Analysis;
+pub use shader::shader_input::Shader;
 pub use shaderlint_semantic::Completeness;
-pub use verify::{Original, Verified, equal, verify};
-
-use check_context::{CheckContext, Keep};
-use shaderlint_text::{Content, Encoding};
-
-/// Checks a text. `name` is its path: the extension selects the kind of file, and includes are
-/// resolved in its folder.
-///
-/// ```
-/// use shaderlint_engine::{NoFiles, Options, check};
-///
-/// let text = "void mainImage(out vec4 color, in vec2 place) {\n    color = vec3(1.0);\n}\n";
-/// let report = check("image.glsl", text, &Options::default(), &NoFiles);
-/// let [finding] = &report.diagnostics[..] else {
-///     panic!("one finding")
-/// };
-/// assert_eq!(finding.rule, "vector-size");
-/// let file = report.sources.file_at(finding.span.start).unwrap();
-/// assert_eq!(file.position(finding.span.start).line, 2);
-/// ```
-pub fn check(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
-    let context = CheckContext::new(options, files);
-    document::check_text(name, text, Encoding::Utf8, context)
-}
-
-/// Checks the decoded bytes of a file. The encoding may be a finding.
-pub fn check_content(
-    name: &str,
-    content: &Content,
-    options: &Options,
-    files: &dyn Files,
-) -> Report {
-    let context = CheckContext::new(options, files);
-    document::check_text(name, &content.text, content.encoding, context)
-}
-
-/// Checks a text and keeps the analyses of its shaders in [`Report::analyses`].
-pub fn analyze(name: &str, text: &str, options: &Options, files: &dyn Files) -> Report {
-    let context = CheckContext {
-        keep: Keep::Programs,
-        ..CheckContext::new(options, files)
-    };
-    document::check_text(name, text, Encoding::Utf8, context)
-}
 
 #[cfg(test)]
 mod tests {
@@ -112,7 +42,7 @@ mod tests {
     use std::sync::Arc;
 
     #[test]
-    fn files_may_lie_in_a_map() {
+    fn includes_are_read_from_an_in_memory_file_map() {
         let shader = "#version 300 es\nprecision highp float;\n#include \"lib/noise.glsl\"\n\
             out vec4 color;\nvoid main() { color = vec4(noise(2.0)); }\n";
         let noise = "float noise(float x) { return fract(sin(x)); }\n";

@@ -1,6 +1,6 @@
 //! The options of a check: dialect, rules, host, includes.
 
-use super::file_cache::FileCache;
+use crate::files::file_cache::FileCache;
 use shaderlint_detect::kind::Claim;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;

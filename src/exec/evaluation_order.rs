@@ -34,7 +34,7 @@ fn check(table: &str) {
 
 /// A variable that is itself an operand is read after the other operand; a value computed from it is not.
 #[test]
-fn binary_operators() {
+fn variable_operands_are_read_after_the_other_operand() {
     check(
         "r = g * 10 + f(); => 12
         r = f() * 10 + g; => 27
@@ -53,7 +53,7 @@ fn binary_operators() {
 }
 
 #[test]
-fn increments() {
+fn increments_are_evaluated_in_browser_order() {
     check(
         "r = x++ * 10 + x; => 12
         r = x * 10 + x++; => 11
@@ -69,7 +69,7 @@ fn increments() {
 
 /// Arguments are evaluated from left to right; variables are passed with the values that they have then.
 #[test]
-fn arguments() {
+fn arguments_are_evaluated_from_left_to_right() {
     check(
         "r = add(g, f()); => 72
         r = add(f(), g); => 27
@@ -89,7 +89,7 @@ fn arguments() {
 }
 
 #[test]
-fn constructors() {
+fn constructor_arguments_are_evaluated_from_left_to_right() {
     check(
         "ivec2 q = ivec2(g, f()); r = q.x * 10 + q.y; => 72
         ivec3 q = ivec3(g, f(), g); r = q.x * 100 + q.y * 10 + q.z; => 727
@@ -103,7 +103,7 @@ fn constructors() {
 
 /// The place on the left is determined before the right side is evaluated, and written after it.
 #[test]
-fn assignments() {
+fn the_left_side_is_determined_before_the_right_side() {
     check(
         "a[g] = f(); r = a[1] * 10 + g; => 27
         a[i++] = i; r = a[1] * 10 + a[2]; => 20
@@ -120,7 +120,7 @@ fn assignments() {
 
 /// The value on the left is read after the right side is evaluated.
 #[test]
-fn compound_assignments() {
+fn compound_assignments_read_the_left_side_last() {
     check(
         "g += f(); r = g; => 9
         g = 3; g *= f(); r = g; => 14
@@ -134,7 +134,7 @@ fn compound_assignments() {
 }
 
 #[test]
-fn commas_and_choices() {
+fn commas_and_conditionals_are_evaluated_in_order() {
     check(
         "r = (x = 3, x++, x * 2); => 8
         r = (rec(1), rec(2), rec(3)); r = log; => 123
@@ -148,7 +148,7 @@ fn commas_and_choices() {
 }
 
 #[test]
-fn logical_operators() {
+fn logical_operators_short_circuit() {
     check(
         "bool b = no(1) && yes(2); r = log; => 1
         bool b = yes(1) && yes(2); r = log; => 12
@@ -160,7 +160,7 @@ fn logical_operators() {
 }
 
 #[test]
-fn indices() {
+fn indices_are_evaluated_in_browser_order() {
     check(
         "a[1] = 3; a[3] = 4; r = a[g] * 10 + (g = 3); => 33
         a[1] = 3; a[2] = 4; r = a[i] * 10 + i++; => 31

@@ -105,7 +105,7 @@ color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3
 } in main: 5 NaN 3.5 0 3.5";
 
 #[test]
-fn stops_before_each_statement() {
+fn a_replay_stops_before_each_statement() {
     let analysis = check_fragment(SHADER);
     let code = compiled(SHADER, &stepping());
     let mut ready = Draw::new(&code, [4, 2]);
@@ -127,7 +127,7 @@ fn stops_before_each_statement() {
 
 /// The outputs at the end of a replay are those of the draw, in each lane.
 #[test]
-fn a_replay_ends_as_the_draw() {
+fn a_replay_ends_with_the_outputs_of_the_draw() {
     let plain = compiled(SHADER, &CompileOptions::default());
     let code = compiled(SHADER, &stepping());
     let mut drawn = Draw::new(&plain, [4, 2]);
@@ -144,7 +144,7 @@ fn a_replay_ends_as_the_draw() {
 }
 
 #[test]
-fn a_checkpoint_brings_back_every_bit() {
+fn a_checkpoint_restores_every_bit() {
     let code = compiled(SHADER, &stepping());
     let ready = Draw::new(&code, [4, 2]);
     let program = &check_fragment(SHADER).program;

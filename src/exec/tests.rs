@@ -65,7 +65,7 @@ fn check_row(functions: &str, statements: &str, expected: [f32; 8]) {
 
 /// An early `return` fixes the value of an `out` parameter, whatever other lanes write later.
 #[test]
-fn who_left_early_gives_back_what_was_there() {
+fn early_returns_fix_the_values_of_out_parameters() {
     let functions = "void f(int p, out float y) { if (p < 3) { y = 1.0; return; } y = 2.0; }
         void g(int p, inout float y) { if (p > 5) return; for (int i = 0; i < p; i++) y += 1.0; }";
     check_row(
@@ -82,7 +82,7 @@ fn who_left_early_gives_back_what_was_there() {
 
 /// Swizzles and conversions keep their value, whatever is written to the variable later.
 #[test]
-fn what_was_swapped_stays() {
+fn swizzled_values_do_not_change_with_later_writes() {
     check_row(
         "",
         "vec2 q = vec2(p, 1); mat2 k = transpose(mat2(q, q)); q.x = 9.0; color = vec4(k[0][1]);",
@@ -96,7 +96,7 @@ fn what_was_swapped_stays() {
 }
 
 #[test]
-fn values() {
+fn expressions_have_the_values_of_the_specification() {
     check("vec4(1.0, x, v.z, n)", [1.0, 0.5, 3.0, 3.0]);
     check("vec4(v.zyx * x, 2.0 / 4.0)", [1.5, 1.0, 0.5, 0.5]);
     check("vec4(m * v, 0.0)", [30.0, 36.0, 42.0, 0.0]);
@@ -178,7 +178,7 @@ fn operands_that_are_variables_are_loaded_last() {
 
 /// Chromium returns the second operand if one of them is NaN.
 #[test]
-fn bounds_of_nan() {
+fn min_max_and_clamp_of_nan_are_those_of_chromium() {
     let nan = "uintBitsToFloat(0x7fc00000u + uint(n - 3))";
     check(
         &format!("vec4(min({nan}, x), max({nan}, x), clamp({nan}, x, 2.0), clamp(x, {nan}, 2.0))"),
@@ -193,7 +193,7 @@ fn bounds_of_nan() {
 }
 
 #[test]
-fn functions() {
+fn built_in_functions_have_the_values_of_the_specification() {
     check(
         "vec4(dot(v, v), length(v.xz * vec2(3, 0)), cross(v, v.zxy).x, sign(-x))",
         [14.0, 3.0, 1.0, -1.0],
@@ -235,7 +235,7 @@ fn functions() {
 }
 
 #[test]
-fn control_flow() {
+fn control_flow_is_followed_per_lane() {
     check_row(
         "",
         "color = vec4(p < 3 ? 1 : p < 5 ? 2 : 3);",
@@ -275,7 +275,7 @@ fn control_flow() {
 
 /// Inactive lanes keep their values.
 #[test]
-fn lanes_that_are_away() {
+fn inactive_lanes_keep_their_values() {
     check_row(
         "",
         "float t = 0.0; for (int i = 0; i < 8; i++) { if (t > float(p)) break; t += 2.0; } color = vec4(t);",
@@ -310,7 +310,7 @@ fn lanes_that_are_away() {
 }
 
 #[test]
-fn arrays() {
+fn arrays_have_values_per_lane() {
     check_row(
         "",
         "float k[8]; for (int i = 0; i < 8; i++) k[i] = float(i * i); color = vec4(k[7 - p]);",
@@ -341,7 +341,7 @@ fn arrays() {
 }
 
 #[test]
-fn neighbours() {
+fn derivatives_use_the_neighbours_in_the_quad() {
     check_row(
         "",
         "color = vec4(dFdx(float(p * p)));",
@@ -397,7 +397,7 @@ fn quads_do_not_depend_on_each_other() {
 
 /// Statistics do not change the image.
 #[test]
-fn watching_changes_nothing() {
+fn statistics_do_not_change_the_image() {
     let text = format!("{HEAD}{BUSY}");
     let levels = [Watch::Nothing, Watch::Flow, Watch::Faults, Watch::Numbers];
     let renders = levels.map(|watch| {
@@ -432,7 +432,7 @@ fn seen_by(watch: Watch, statements: &str) -> Observations {
 }
 
 #[test]
-fn loops_are_counted() {
+fn loop_iterations_are_counted() {
     let seen = seen("for (int i = 0; i < 5; i++) { if (i == p) break; } color = vec4(0);");
     let [only] = seen.loops.as_slice() else {
         panic!("{seen:?}")
@@ -445,7 +445,7 @@ fn loops_are_counted() {
 }
 
 #[test]
-fn branches_and_numbers_are_seen() {
+fn branches_and_faults_are_counted() {
     let seen = seen(
         "float q = float(p) - 2.0; if (p > 2) q = -q; color = vec4(1.0 / q, sqrt(q), a[p], 0);",
     );
@@ -477,7 +477,7 @@ fn branches_and_numbers_are_seen() {
 
 /// Operands with undefined results are found, whatever the VM computes for them.
 #[test]
-fn undefined_results_are_seen() {
+fn undefined_results_are_recorded() {
     let first = |statements: &str| {
         let seen = seen(statements);
         let undefined = seen
@@ -514,7 +514,7 @@ fn undefined_results_are_seen() {
 
 /// `Watch::Faults` and `Watch::Numbers` find the same faults.
 #[test]
-fn faults_need_not_look_at_every_number() {
+fn watching_faults_or_all_values_finds_the_same_faults() {
     let statements = "float q = float(p) - 2.0; if (p > 2) q = -q; \
                       color = vec4(1.0 / q, sqrt(q), a[p], 4 % (p - 3));";
     let (all, faults) = (seen(statements), seen_by(Watch::Faults, statements));
@@ -533,7 +533,7 @@ fn faults_need_not_look_at_every_number() {
 
 /// A draw call lists the uniforms that differ from another one.
 #[test]
-fn draws_differ_in_uniforms() {
+fn uniforms_that_differ_between_draws_are_listed() {
     let text = format!("{HEAD}void main() {{ color = vec4(x, v[1], a[n], m[0][0]); }}");
     let code = compiled(&text, &CompileOptions::default());
     let [mut one, other] = [(); 2].map(|()| Draw::new(&code, [8, 1]));
@@ -547,7 +547,7 @@ fn draws_differ_in_uniforms() {
 /// A GPU with the maximum permitted error draws sine noise differently, and a plain gradient almost
 /// identically.
 #[test]
-fn gpu_profiles_differ_where_gpus_do() {
+fn gpu_profiles_differ_only_where_gpus_may() {
     let render = |expression: &str, gpu_profile: GpuProfile| {
         let text = format!(
             "{HEAD}void main() {{ vec2 q = gl_FragCoord.xy; color = vec4({expression}); }}"
@@ -590,7 +590,7 @@ fn gpu_profiles_differ_where_gpus_do() {
 
 /// Names, declaration order and helper functions do not change the bytecode; a constant does.
 #[test]
-fn the_same_code_is_the_same_image() {
+fn equivalent_code_compiles_to_the_same_bytecode() {
     let code = |text: &str| compiled(&format!("{HEAD}{text}"), &CompileOptions::default());
     let plain = code("void main() { float k = x * 2.0; color = vec4(k + v.x); }");
     let compare = |text: &str| {
@@ -618,7 +618,7 @@ fn the_same_code_is_the_same_image() {
 }
 
 #[test]
-fn every_run_ends() {
+fn endless_loops_run_out_of_fuel() {
     let endless = format!("{HEAD}void main() {{ while (n > 0) {{ color.x += 1.0; }} }}");
     let code = compiled(&endless, &CompileOptions::default());
     let mut ready = Draw::new(&code, [2, 2]);
@@ -627,7 +627,7 @@ fn every_run_ends() {
 }
 
 #[test]
-fn what_is_too_large_is_refused() {
+fn values_that_are_too_large_are_refused() {
     let large =
         format!("{HEAD}void main() {{ float k[40000]; k[n] = 1.0; color = vec4(k[n + 1]); }}");
     let analysis = check_fragment(&large);
@@ -640,7 +640,7 @@ fn what_is_too_large_is_refused() {
 }
 
 #[test]
-fn functions_cost_what_they_do_wherever_they_are_called() {
+fn costs_are_attributed_to_the_called_function() {
     let code = format!(
         "{HEAD}float f(float y) {{ return y * y; }}
         float g(float y) {{ return f(y) + 1.0; }}
@@ -688,7 +688,7 @@ fn functions_cost_what_they_do_wherever_they_are_called() {
 }
 
 #[test]
-fn quads_are_real_and_all_over_the_image() {
+fn sampled_quads_are_distributed_over_the_image() {
     let size = [1280, 720];
     for count in [250, 576] {
         let quads = quads_all_over(size, count, 1);
@@ -707,7 +707,7 @@ fn quads_are_real_and_all_over_the_image() {
 
 /// Groups of pixels at the right and upper edge are partly outside of the image.
 #[test]
-fn every_pixel_of_an_image_has_its_own_place() {
+fn every_pixel_has_its_own_coordinates() {
     let text = format!("{HEAD}void main() {{ color = gl_FragCoord; }}");
     for size in [[1, 1], [13, 7], [16, 8], [5, 9], [61, 37]] {
         let drawn = drawn(&text, size);
@@ -722,7 +722,7 @@ fn every_pixel_of_an_image_has_its_own_place() {
 
 /// Results and statistics are the same with the instructions of every machine and with faster ones.
 #[test]
-fn every_machine_runs_a_shader_alike() {
+fn results_are_the_same_on_every_machine() {
     let code = format!(
         "{HEAD}float f(float p) {{ return p < 9.0 ? sin(p * 1e5) : pow(p, 1.7) / (p - 20.0); }}
         void main() {{ vec2 p = gl_FragCoord.xy; float s = 0.0; int k = n;

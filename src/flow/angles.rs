@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn other_uses_are_found() {
+    fn other_uses_of_an_angle_are_found() {
         for body in [
             "return mod(x, 6.3);",
             "float m = mod(x, 6.3); return sin(m) + m;",

@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn arguments_of_each_call() {
+    fn columns_follow_the_arguments_of_each_call() {
         let code = "
             bool pressed(int key) { return texelFetch(iChannel0, ivec2(key, 0), 0).x > 0.5; }
             float side() { return float(pressed(39)) - float(pressed(37)); }
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn normalized_coordinates() {
+    fn normalized_coordinates_become_columns() {
         let code = "
             const float LEFT = 37.5 / 256.0;
             float key(float x) { return texture(iChannel0, vec2(x, 0.25)).x; }
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn samplers_as_parameters() {
+    fn columns_follow_samplers_passed_as_parameters() {
         let code = "
             float key(sampler2D keys, int x) { return texelFetch(keys, ivec2(x, 0), 0).x; }
             void mainImage(out vec4 c, in vec2 p) { c = vec4(key(iChannel0, 65), key(iChannel1, 66), 0, 0); }";
@@ -277,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn choices_and_globals() {
+    fn columns_follow_conditionals_and_globals() {
         let code = "
             int jump = 32;
             void mainImage(out vec4 c, in vec2 p) {
@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_columns() {
+    fn columns_that_are_not_constant_are_unknown() {
         let code = "
             void mainImage(out vec4 c, in vec2 p) {
                 c = texture(iChannel0, p / 256.0);

@@ -32,7 +32,7 @@ fn body(text: &str, expected: &str) {
 }
 
 #[test]
-fn blanks_stand_around_operators() {
+fn operators_have_spaces_around_them() {
     body("a=b+c*-d;", "a = b + c * -d;");
     body("a = b - - c;  d+ ++e;", "a = b - -c;\nd + ++e;");
     body("a [ 0 ].x = f ( a , b ) ;", "a[0].x = f(a, b);");
@@ -48,7 +48,7 @@ fn blanks_stand_around_operators() {
 }
 
 #[test]
-fn statements_have_lines() {
+fn statements_have_their_own_lines() {
     body("a;b;", "a;\nb;");
     body("if(a)b;", "if (a) b;");
     body("if(a)\nb;else\nc;", "if (a)\n    b;\nelse\n    c;");
@@ -88,7 +88,7 @@ fn statements_have_lines() {
 }
 
 #[test]
-fn labels_stand_in_their_switch() {
+fn labels_are_indented_in_their_switch() {
     body(
         "switch(a){case 0:b;break;\ncase 1: {\nc;\n}\ndefault:\nd;\n}",
         "switch (a) {\n    case 0: b; break;\n    case 1: {\n        c;\n    }\n    default:\n        d;\n}",
@@ -96,7 +96,7 @@ fn labels_stand_in_their_switch() {
 }
 
 #[test]
-fn comments_stay_with_what_they_are_about() {
+fn comments_stay_next_to_their_code() {
     body(
         "a; // of a\n  // of b\n/* too */ b;",
         "a; // of a\n// of b\n/* too */ b;",
@@ -110,12 +110,12 @@ fn comments_stay_with_what_they_are_about() {
 }
 
 #[test]
-fn empty_lines_stay_two_at_most() {
+fn at_most_two_empty_lines_are_kept() {
     check("\n\na;\n\n\n\n\nb;\n\nc;\n\n\n", "a;\n\n\nb;\n\nc;\n");
 }
 
 #[test]
-fn directives_stay_as_they_are() {
+fn directives_are_not_changed() {
     check(
         "#define  A   2.0*PI  \nfloat a=A;",
         "#define  A   2.0*PI\nfloat a = A;\n",
@@ -131,7 +131,7 @@ fn directives_stay_as_they_are() {
 }
 
 #[test]
-fn code_inside_conditionals_may_be_indented() {
+fn code_inside_conditionals_keeps_its_indentation() {
     body(
         "  #if A\n    a;\n  #else\n    if(b){\nc;}\n  #endif\n  d;",
         "#if A\n    a;\n#else\n    if (b) {\n        c;\n    }\n#endif\nd;",
@@ -148,7 +148,7 @@ fn code_inside_conditionals_may_be_indented() {
 }
 
 #[test]
-fn what_is_never_compiled_is_no_code() {
+fn inactive_code_is_not_formatted() {
     check(
         "#if 0\n it's  text (\n#endif\nfloat a ;",
         "#if 0\n it's  text (\n#endif\nfloat a;\n",
@@ -156,7 +156,7 @@ fn what_is_never_compiled_is_no_code() {
 }
 
 #[test]
-fn the_formatter_can_be_switched_off() {
+fn comments_switch_the_formatter_off_and_on() {
     check(
         "float a ;\n// shaderlint: fmt off\nfloat  b ;\n\n\n\n  float c ;\n// shaderlint: fmt on\nfloat  d ;",
         "float a;\n// shaderlint: fmt off\nfloat  b ;\n\n\n\n  float c ;\n// shaderlint: fmt on\nfloat d;\n",
@@ -164,7 +164,7 @@ fn the_formatter_can_be_switched_off() {
 }
 
 #[test]
-fn tables_stay_tables() {
+fn aligned_tables_are_preserved() {
     check(
         "mat3 m=mat3( 0.00,  0.80,  0.60,\n         -0.80,  0.36, -0.48,\n         -0.60, -0.48,  0.64 );",
         "mat3 m = mat3( 0.00,  0.80,  0.60,\n           -0.80,  0.36, -0.48,\n           -0.60, -0.48,  0.64 );\n",
@@ -180,7 +180,7 @@ fn tables_stay_tables() {
 }
 
 #[test]
-fn tables_of_names_stay_tables() {
+fn aligned_tables_of_expressions_are_preserved() {
     // All commas are below one another.
     body(
         "m=mat3( c.z,  s.z,    0,\n       -s.z,  c.z,    0,\n          0,    0,    1 );",
@@ -205,7 +205,7 @@ fn tables_of_names_stay_tables() {
 }
 
 #[test]
-fn bodies_may_be_aligned() {
+fn aligned_bodies_are_preserved() {
     body(
         "if(a)   b=1;\nif(ccc) return;\nelse    d=2;",
         "if (a)   b = 1;\nif (ccc) return;\nelse     d = 2;",
@@ -217,7 +217,7 @@ fn bodies_may_be_aligned() {
 }
 
 #[test]
-fn columns_contain_items_of_one_sort() {
+fn columns_align_items_of_the_same_kind() {
     // A coincidence.
     body(
         "a=b+c*(d-e);\nvec2   g=h;",
@@ -252,7 +252,7 @@ fn numbers_in_columns_keep_their_padding() {
 }
 
 #[test]
-fn rows_of_equal_statements_stay() {
+fn similar_statements_may_share_a_line() {
     body("c(1);c(2);c(3);", "c(1); c(2); c(3);");
     body(
         "float f=.5*n(p);p=m*p;\nf+=.25*n(p);p=m*p*2.;",
@@ -267,7 +267,7 @@ fn rows_of_equal_statements_stay() {
 }
 
 #[test]
-fn lists_of_equal_statements_are_filled_again() {
+fn long_lists_of_similar_statements_are_rewrapped() {
     let style = Style {
         width: 32,
         ..Style::default()
@@ -292,7 +292,7 @@ fn lists_of_equal_statements_are_filled_again() {
 
 /// However long their line is.
 #[test]
-fn empty_statements_stay_on_their_line() {
+fn empty_statements_are_not_wrapped() {
     let empty = ";".repeat(130);
     body(&format!("{empty}\na();"), &format!("{empty}\na();"));
     check(&format!("{empty}S x;"), &format!("{empty}\nS x;\n"));
@@ -300,7 +300,7 @@ fn empty_statements_stay_on_their_line() {
 }
 
 #[test]
-fn rows_of_tables_may_be_too_long() {
+fn rows_of_tables_may_exceed_the_line_width() {
     let style = Style {
         width: 30,
         ..Style::default()
@@ -313,7 +313,7 @@ fn rows_of_tables_may_be_too_long() {
 }
 
 #[test]
-fn calls_of_macros_need_no_semicolon() {
+fn macro_calls_may_lack_a_semicolon() {
     check(
         "A(1)\nB(2) c\nD(3)\nvoid f(){}",
         "A(1)\nB(2) c\nD(3)\nvoid f() {}\n",
@@ -325,7 +325,7 @@ fn calls_of_macros_need_no_semicolon() {
 }
 
 #[test]
-fn long_lines_are_broken_at_the_outermost_place() {
+fn long_lines_are_broken_at_the_outermost_operator() {
     let style = Style {
         width: 30,
         ..Style::default()
@@ -415,7 +415,7 @@ fn long_lines_have_one_form() {
 }
 
 #[test]
-fn lists_of_equal_elements_are_filled_again() {
+fn long_lists_of_similar_elements_are_rewrapped() {
     let style = Style {
         width: 40,
         ..Style::default()
@@ -483,7 +483,7 @@ fn if_and_else_on_one_line_are_broken_together() {
 }
 
 #[test]
-fn line_breaks_of_the_author_stay() {
+fn line_breaks_of_the_author_are_kept() {
     body("a = b\n+ c;", "a = b\n    + c;");
     body("a = b\n  + c;", "a = b\n  + c;");
     body("float a = b\n        + c;", "float a = b\n        + c;");
@@ -491,13 +491,13 @@ fn line_breaks_of_the_author_stay() {
 }
 
 #[test]
-fn lines_that_are_counted_stay() {
+fn line_breaks_before_line_macros_are_kept() {
     let text = "void f(){a;b;\n\n\n\n\nc(__LINE__);}";
     check(text, "void f() { a; b;\n\n\n\n\n    c(__LINE__); }\n");
 }
 
 #[test]
-fn indentation_may_be_tabs() {
+fn tabs_can_be_used_for_indentation() {
     let style = Style {
         indent: Indentation::Tab(4),
         brace: Brace::Next,
@@ -510,12 +510,12 @@ fn indentation_may_be_tabs() {
 }
 
 #[test]
-fn line_ends_stay_what_they_are() {
+fn line_breaks_are_preserved() {
     check("float a;float b;\r\n", "float a;\r\nfloat b;\r\n");
 }
 
 #[test]
-fn what_does_not_match_is_refused() {
+fn unmatched_brackets_are_refused() {
     for text in [
         "void f() {",
         "}",
@@ -543,7 +543,7 @@ fn what_does_not_match_is_refused() {
 }
 
 #[test]
-fn functions_whose_brackets_do_not_match_are_left_alone() {
+fn functions_with_unmatched_brackets_are_not_changed() {
     let text = "float a( ) {return 1.;}\n#define EACH for (;;) {\nvoid b( ) {\nEACH  c;\n}\n}\n}\n\n\
                 float d( ) {return 2.;}\n";
     let expected = "float a() { return 1.; }\n#define EACH for (;;) {\nvoid b( ) {\nEACH  c;\n}\n}\n}\n\n\

@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn values_follow_from_the_names_of_a_host() {
+    fn missing_values_are_derived_from_names_of_the_host() {
         check("hyprland", Feed::Time, "float", Some("time"));
         check(
             "hyprland",

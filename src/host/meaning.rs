@@ -478,7 +478,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_say_what_names_are_given() {
+    fn comments_give_the_meanings_of_names() {
         let mut all = Meanings::default();
         for line in [
             "uniform highp vec2 size; // = resolution, or vec3 ivec2, usual",
@@ -510,7 +510,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_read_is_reported() {
+    fn invalid_meanings_are_reported() {
         wrong("uniform float t; // = tmie", "did you mean `time`?");
         wrong("uniform float t; // = time, ofen", "found `ofen`");
         wrong("uniform sampler2D t; // = files", "did you mean `file`?");

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn a_head_is_read() {
+fn the_head_of_a_preset_is_read() {
     let text = "// My engine\n//\n// Puts things: many.\n//\n// And more.\n// word: my_* uMine\n// package: mine @mine/\n\
         // version: 100\n// names: all\nuniform float uMine;\n";
     let preset = read(text).unwrap();
@@ -30,7 +30,7 @@ fn a_head_is_read() {
 }
 
 #[test]
-fn a_host_builds_on_another() {
+fn a_host_can_extend_another() {
     let text =
         "// Mine\n//\n// Like three.js.\n// base: three\nuniform float mine; // = time, own\n";
     let preset = read(text).unwrap();
@@ -52,7 +52,7 @@ fn a_host_builds_on_another() {
 }
 
 #[test]
-fn what_shaders_declare_is_put_before_none() {
+fn names_that_shaders_declare_are_not_in_the_prelude() {
     let text = "// A\nuniform float a; // = time\n#ifdef SHADER_DECLARES\n\
         uniform float b; // = frame\n#endif\nuniform float c; // = tim\n";
     let error = read(text).unwrap_err();
@@ -65,7 +65,7 @@ fn what_shaders_declare_is_put_before_none() {
 }
 
 #[test]
-fn comments_describe_names() {
+fn doc_comments_describe_names() {
     let text = "// A\n/// How long\n/// it runs.\nuniform float a; // = time\nuniform float b;\n";
     let preset = read(text).unwrap();
     assert_eq!(
@@ -77,7 +77,7 @@ fn comments_describe_names() {
 }
 
 #[test]
-fn every_preset_is_read() {
+fn every_preset_is_valid() {
     for (name, text) in FILES {
         let preset = read(text).unwrap_or_else(|e| panic!("{name}: {e:?}"));
         assert!(

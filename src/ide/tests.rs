@@ -37,7 +37,7 @@ fn check_rename(text: &str, new: &str, expected: &str) {
 }
 
 #[test]
-fn names_change_wherever_they_mean_the_same() {
+fn renaming_changes_all_references() {
     check_rename(
         "float f(float x) { float |y = x; { float y = 2.0; y++; } return y; }\nvoid main() { color = vec4(f(1.0)); }\n",
         "z",
@@ -72,7 +72,7 @@ fn names_change_wherever_they_mean_the_same() {
 }
 
 #[test]
-fn names_stay_where_one_would_mean_something_else() {
+fn renamings_that_change_the_meaning_are_refused() {
     check_rename(
         "float |k = 2.0;\nvoid main() { float n = 1.0; color = vec4(n * k); }\n",
         "n",
@@ -119,7 +119,7 @@ fn proposed(text: &str, start: &str) -> Vec<String> {
 }
 
 #[test]
-fn what_may_be_written_depends_on_the_place() {
+fn completions_depend_on_the_position() {
     let scopes =
         "void main() { float before = 1.0; { float inner = 2.0; } |\n float behind = 3.0; }\n";
     assert_eq!(proposed(scopes, "before"), ["before"]);
@@ -157,7 +157,7 @@ fn first(text: &str) -> String {
 }
 
 #[test]
-fn the_most_likely_name_is_first() {
+fn the_most_likely_completion_is_first() {
     // In general.
     assert_eq!(first("void main() { float a = ma|; }\n"), "max");
     assert_eq!(first("void main() { re| }\n"), "return");
@@ -195,7 +195,7 @@ fn the_most_likely_name_is_first() {
 }
 
 #[test]
-fn arguments_that_follow_are_kept() {
+fn completing_a_call_keeps_existing_arguments() {
     let snippet = |text: &str| {
         let (document, at) = marked(text);
         let (_, found) = complete(&document, at, &NoFiles);
@@ -245,7 +245,7 @@ fn inactive_code_has_completions() {
 }
 
 #[test]
-fn the_names_of_a_host_are_offered() {
+fn names_of_the_host_are_completed() {
     let text = "// Author: A\nuniform float size; // = 0.1\n\
         vec4 both(vec2 uv) { return mix(getFromColor(uv), getToColor(uv), progress * ra|); }\n";
     // The host is the one with this entry function.
@@ -294,7 +294,7 @@ fn hovered(text: &str) -> String {
 }
 
 #[test]
-fn hovers_and_signatures_in_code_that_is_not_compiled() {
+fn inactive_code_has_hovers_and_signatures() {
     let text = "#ifdef HIGH\nfloat f(vec2 at, float k) { return |at.x * k; }\n\
         #elif defined(LOW)\nfloat f(float at) { return at; }\n#endif\n\
         void main() { color = vec4(1); }\n";
@@ -311,7 +311,7 @@ fn hovers_and_signatures_in_code_that_is_not_compiled() {
 }
 
 #[test]
-fn what_is_known_is_shown() {
+fn hovers_show_documentation_and_ranges() {
     let text = hovered("void main() { float a = |fract(time); color = vec4(a); }\n");
     assert!(
         text.contains("float fract(float x)") && text.contains("at least 0 and less than 1"),
@@ -336,7 +336,7 @@ fn what_is_known_is_shown() {
 }
 
 #[test]
-fn what_a_host_of_the_users_gives_is_shown() {
+fn hovers_describe_names_of_user_defined_hosts() {
     let own = shaderlint_host::read("uniform float beat; // = time\n").unwrap();
     let mut options = Options::default();
     options.host.describe(own);
@@ -351,7 +351,7 @@ fn what_a_host_of_the_users_gives_is_shown() {
 }
 
 #[test]
-fn what_was_found_out_is_kept() {
+fn analyses_of_unchanged_documents_are_reused() {
     let text = format!(
         "{HEAD}float f(float x) {{ return fract(x); }}\n\
          void main() {{ float s = 0.0; for (int i = 0; i < 7; i++) s += f(time); color = vec4(s); }}\n"
@@ -390,7 +390,7 @@ fn what_was_found_out_is_kept() {
 }
 
 #[test]
-fn stretches_around_a_place_stand_in_each_other() {
+fn selection_ranges_are_nested() {
     let (document, at) =
         marked("void main() { float a = (1.0 + |time) * 2.0; color = vec4(a); }\n");
     let around = selection(&document, at);
@@ -406,7 +406,7 @@ fn stretches_around_a_place_stand_in_each_other() {
 }
 
 #[test]
-fn a_call_that_is_open_shows_its_argument() {
+fn signature_help_marks_the_current_argument() {
     let (document, at) = marked(
         "float f(vec2 p, float k) { return p.x * k; }\nvoid main() { color = vec4(f(vec2(1, 2), |)); }\n",
     );
@@ -418,7 +418,7 @@ fn a_call_that_is_open_shows_its_argument() {
 }
 
 #[test]
-fn a_number_is_grey_and_several_are_colours() {
+fn numbers_are_previewed_in_grey_and_vectors_in_colour() {
     let (document, _) = marked(
         "void main() {\n|float x = gl_FragCoord.x / 64.0;\nvec3 rgb = vec3(x, 0.0, 0.5);\ncolor = vec4(rgb, x);\n}\n",
     );
@@ -452,7 +452,7 @@ fn costs(code: &str) -> (f64, f64) {
 }
 
 #[test]
-fn estimates_and_runs_count_the_same() {
+fn estimated_and_measured_costs_agree() {
     for code in [
         "color = vec4(sin(gl_FragCoord.x) * 2.0 + gl_FragCoord.y);",
         "float x = 0.0; for (int i = 0; i < 7; i++) { x += cos(gl_FragCoord.x); } color = vec4(x);",
@@ -475,7 +475,7 @@ fn script_tokens(text: &str) -> Vec<(String, SemanticKind)> {
 }
 
 #[test]
-fn strings_without_a_grammar_have_all_tokens() {
+fn strings_without_a_grammar_get_all_semantic_tokens() {
     let code = "precision highp float;\n// Sums\nuniform float time;\n#define A 2.0\n\
         void main() { gl_FragColor = vec4(time * A + ${more}); }\n";
     let found = script_tokens(&format!("const shader = `{code}`;\n"));
@@ -533,7 +533,7 @@ fn line_costs(text: &str) -> [Vec<(u32, f64)>; 2] {
 }
 
 #[test]
-fn lines_cost_what_their_code_does() {
+fn costs_are_attributed_to_lines() {
     let [estimated, observed] = line_costs(
         "#define TWICE(x) ((x) * 2.0 + 1.0)
 float f(float x) {

@@ -44,7 +44,7 @@ fn without_numbers(line: &str) -> String {
 /// Line numbers are those that browsers report: the expansion of a macro call is on the line where
 /// the call ends.
 #[test]
-fn line_numbers() {
+fn line_macros_have_the_numbers_of_the_browser() {
     check("int y = __LINE__;", "local y: int = 3");
     check(
         "\n#define L __LINE__\n#define F(x) L\n#define G(x) x\nint y = L, z = F(\n1\n), w = G(L\n\n);",
@@ -59,7 +59,7 @@ fn line_numbers() {
 }
 
 #[test]
-fn values() {
+fn expressions_are_lowered_to_typed_operations() {
     check("float y = 2.0;", "local y: float = 2.0");
     check("float y;", "local y: float = undefined");
     check("float y = -x * 2.0;", "local y: float = (-x) * 2.0");
@@ -105,7 +105,7 @@ fn variables_are_loaded_after_what_may_write_to_them() {
 }
 
 #[test]
-fn what_may_not_run_is_control_flow() {
+fn short_circuit_operands_become_control_flow() {
     check(
         "bool b = x > 0.0 && 1.0 / x < 2.0;",
         "temporary $1: bool\n\
@@ -127,7 +127,7 @@ fn what_may_not_run_is_control_flow() {
 }
 
 #[test]
-fn places() {
+fn assignments_are_lowered_to_places() {
     check("color.zx = v.xy;", "color.zx = v.xy");
     check(
         "vec4 p = color; p[n] = x;",
@@ -148,7 +148,7 @@ fn places() {
 }
 
 #[test]
-fn loops() {
+fn loops_keep_their_structure() {
     check(
         "float y = 0.0; for (int i = 0; i < 4; i++) { if (i == n) continue; y += x; }",
         "local y: float = 0.0\n\
@@ -171,7 +171,7 @@ fn loops() {
 }
 
 #[test]
-fn choices() {
+fn switches_keep_their_structure() {
     check(
         "switch (n) { case 1: case 2: discard; default: color = vec4(x); }",
         "switch n {\n\
@@ -227,7 +227,7 @@ fn broken(expected: &str, break_it: impl FnOnce(&mut Module)) {
 }
 
 #[test]
-fn what_is_broken_is_seen() {
+fn the_verifier_finds_invalid_modules() {
     broken("one provenance per operation", |m| {
         m.provenances.pop();
     });

@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_page_is_read() {
+    fn the_parts_of_a_page_are_read() {
         let text = "# a-name\n\n**Group:** x\n\nOne\nparagraph.\n\nMore.\n\n```glsl bad x.vert\nfoo\n```\n```text\nbar\n```\n";
         let page = Page::new(text);
         assert_eq!(

@@ -354,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn the_more_specific_word_holds() {
+    fn the_more_specific_level_applies() {
         check("", "", (true, false));
         check("", "all", (false, false));
         check("float-equality", "all", (true, false));

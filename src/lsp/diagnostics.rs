@@ -232,14 +232,14 @@ mod tests {
     use shaderlint_rules::RULES;
 
     #[test]
-    fn rules_with_tags_are_rules() {
+    fn tagged_rules_exist() {
         for name in UNNECESSARY.iter().chain(&DEPRECATED) {
             assert!(RULES.iter().any(|r| r.name == *name), "{name}");
         }
     }
 
     #[test]
-    fn ends_that_are_the_same() {
+    fn common_prefixes_and_suffixes_are_measured() {
         assert_eq!(same_ends("abcd", "abXcd"), (2, 2));
         assert_eq!(same_ends("aa", "aaa"), (2, 0));
         assert_eq!(same_ends("", "x"), (0, 0));

@@ -126,7 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_place_has_one_position_in_each_unit() {
+    fn offsets_and_positions_convert_in_each_encoding() {
         let text = "a𝄞é\r\nx\n\ty";
         let index = LineIndex::new(text);
         for columns in [Columns::Utf8, Columns::Utf16, Columns::Utf32] {

@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn paths_come_back() {
+    fn paths_survive_conversion_to_uris() {
         for path in ["/a/b.glsl", "/a b/ü#%20.frag", "/x+y/[1].glsl"] {
             assert_eq!(path_of(&uri_of(path)), Some(path.into()), "{path}");
         }

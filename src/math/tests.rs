@@ -80,7 +80,7 @@ const INF: f32 = f32::INFINITY;
 const NAN: f32 = f32::NAN;
 
 #[test]
-fn sines_are_right_for_angles_of_any_size() {
+fn sines_are_accurate_for_angles_of_any_size() {
     let below = |most: f32| move |x: f32| x.abs() < most;
     let above = |least: f32| move |x: f32| x.abs() >= least;
     check(sin, f64::sin, below(8192.0), 2.0);
@@ -95,7 +95,7 @@ fn sines_are_right_for_angles_of_any_size() {
 }
 
 #[test]
-fn a_lane_does_not_depend_on_its_neighbours() {
+fn lanes_do_not_depend_on_each_other() {
     let mixed = [0.5, 1e30, -7.25, 3e5, 0.0, 1e-40, INF, NAN];
     let other = [0.0, 1e30, 2.0, -1.0, 0.0, 3.0, INF, 2.0];
     let functions: [fn(Floats) -> Floats; 12] = [
@@ -116,7 +116,7 @@ fn a_lane_does_not_depend_on_its_neighbours() {
 }
 
 #[test]
-fn angles_are_found_again() {
+fn inverse_trigonometric_functions_are_accurate() {
     check(asin, f64::asin, |_| true, 2.5);
     check(acos, f64::acos, |_| true, 2.0);
     check(atan, f64::atan, |_| true, 2.5);
@@ -151,7 +151,7 @@ fn angles_are_found_again() {
 }
 
 #[test]
-fn powers_and_logarithms_are_right_but_for_the_last_digit() {
+fn exponentials_and_logarithms_are_accurate() {
     check(exp, f64::exp, |_| true, 1.5);
     check(exp2, f64::exp2, |_| true, 1.5);
     check(log, f64::ln, |x| x >= f32::MIN_POSITIVE, 1.0);
@@ -167,7 +167,7 @@ fn powers_and_logarithms_are_right_but_for_the_last_digit() {
 
 /// Undefined results are those of Chromium's software renderer.
 #[test]
-fn what_is_undefined_is_what_the_browser_makes_of_it() {
+fn undefined_results_are_those_of_the_browser() {
     exactly(log2, &[(-8.0, 3.0), (0.0, -127.0), (-0.0, -127.0)]);
     exactly(log, &[(0.0, -88.029_69), (-1.0, 0.0), (-INF, 88.722_84)]);
     let two = floats(2.0);
@@ -191,7 +191,7 @@ fn what_is_undefined_is_what_the_browser_makes_of_it() {
 }
 
 #[test]
-fn the_second_operand_limits_nan() {
+fn min_and_max_return_the_second_operand_for_nan() {
     let two = floats(2.0);
     exactly(|x| max(x, two), &[(NAN, 2.0), (3.0, 3.0), (1.0, 2.0)]);
     exactly(|x| max(two, x), &[(NAN, NAN), (3.0, 3.0), (1.0, 2.0)]);
@@ -234,7 +234,7 @@ fn powers_of_integers_are_exact() {
 }
 
 #[test]
-fn hyperbolic_functions_keep_the_digits_of_small_numbers() {
+fn hyperbolic_functions_are_accurate_for_small_numbers() {
     check(sinh, f64::sinh, |_| true, 0.6);
     check(cosh, f64::cosh, |_| true, 0.6);
     check(tanh, f64::tanh, |_| true, 0.6);
@@ -248,7 +248,7 @@ fn hyperbolic_functions_keep_the_digits_of_small_numbers() {
 }
 
 #[test]
-fn rounding_is_that_of_ieee_754_at_every_size() {
+fn rounding_functions_are_exact_at_every_magnitude() {
     let signed = [
         0.0, 0.5, 1.5, 2.5, 0.99999994, 8388607.5, 8388609.0, 3e9, INF, 1e-40,
     ];
@@ -264,7 +264,7 @@ fn rounding_is_that_of_ieee_754_at_every_size() {
 }
 
 #[test]
-fn blends_are_those_of_the_language() {
+fn common_functions_have_the_specified_values() {
     let three =
         |f: fn(Floats, Floats, Floats) -> Floats, x, y, z| f(floats(x), floats(y), floats(z))[0];
     assert_eq!(three(clamp, 5.0, 0.0, 1.0), 1.0);
@@ -298,7 +298,7 @@ fn integers_wrap_and_never_trap() {
 }
 
 #[test]
-fn numbers_change_their_type_as_in_the_browser() {
+fn numbers_are_converted_as_in_the_browser() {
     let numbers = numbers(100_000).chain([0.0, -0.0, NAN, INF, -INF, 2147483648.0, -2147483648.0]);
     for x in numbers {
         let lanes = floats(x);
@@ -327,7 +327,7 @@ fn numbers_change_their_type_as_in_the_browser() {
 }
 
 #[test]
-fn what_is_packed_is_unpacked() {
+fn packed_values_are_unpacked() {
     let (x, y) = (floats(0.25), floats(-1.5));
     assert_eq!(pack_half(x, y)[0], 0xbe00_3400);
     assert_eq!(unpack_half(pack_half(x, y)).map(|x| x[0]), [0.25, -1.5]);
@@ -340,7 +340,7 @@ fn what_is_packed_is_unpacked() {
 }
 
 #[test]
-fn halves_are_packed_as_in_ieee_754() {
+fn half_floats_are_encoded_as_in_ieee_754() {
     for (number, bits) in [
         (1.0, 0x3c00),
         (-2.5, 0xc100),
@@ -353,7 +353,7 @@ fn halves_are_packed_as_in_ieee_754() {
 }
 
 #[test]
-fn sines_of_doubles_are_those_of_the_library() {
+fn sines_of_doubles_equal_those_of_the_standard_library() {
     for n in -2000..2000 {
         let angle = f64::from(n) * 0.37;
         assert!((sine(angle) - angle.sin()).abs() < 1e-12, "{angle}");
@@ -422,7 +422,7 @@ fn bits_of_all<S: Simd>(simd: S, x: [f32; 8], y: [f32; 8]) -> Vec<[u32; 8]> {
 }
 
 #[test]
-fn results_do_not_depend_on_the_instructions() {
+fn results_do_not_depend_on_the_instruction_set() {
     let special = [
         0.0,
         -0.0,

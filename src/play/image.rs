@@ -158,7 +158,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_are_flipped_and_numbers_rounded() {
+    fn rows_are_flipped_and_values_are_rounded() {
         let image = RenderedImage {
             size: [1, 2],
             pixels: vec![[0.5, 2.0, -1.0, 1.0], [f32::NAN, f32::INFINITY, 0.0, 0.0]],

@@ -448,7 +448,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_distances_are_never_steep() {
+    fn exact_distance_fields_are_not_steep() {
         for body in [
             "return length(p) - 1.0;",
             "vec3 d = abs(p) - 1.0; return length(max(d, 0.0)) + min(max(d.x, max(d.y, d.z)), 0.0);",
@@ -464,7 +464,7 @@ mod tests {
     }
 
     #[test]
-    fn steep_places_are_found() {
+    fn steep_distance_fields_are_found() {
         for body in [
             "float c = cos(4.0 * p.y), s = sin(4.0 * p.y); p.xz = mat2(c, -s, s, c) * p.xz; return length(p.xz - 1.0) - 0.2;",
             "float c = cos(p.x), s = sin(p.x); p.xy = mat2(c, -s, s, c) * p.xy; return length(p - 1.0) - 0.2;",

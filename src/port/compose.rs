@@ -223,7 +223,7 @@ mod tests {
     /// `__LINE__` keeps counting after the header and after every Common pass, as in the compiled
     /// text.
     #[test]
-    fn lines_are_counted_through_all_texts() {
+    fn line_numbers_continue_through_common_code() {
         let json = r#"{"renderpass":[
             {"type":"image","code":"\nconst int HERE = __LINE__;\nvoid mainImage(out vec4 c, in vec2 p) {}"},
             {"type":"common","code":"// one\n#define THERE __LINE__"},

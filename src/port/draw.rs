@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn terms_are_read() {
+    fn size_expressions_are_parsed() {
         check("$WIDTH", r#""$WIDTH""#);
         check("16", "16.0");
         check("$WIDTH / 2", r#"["divide",["$WIDTH",2.0]]"#);
@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_term_is_named() {
+    fn invalid_size_expressions_are_reported() {
         check("", "at ``");
         check("$WIDTH / fetch(1)", "at `fetch(1)`");
         check("floor(1, 2)", "at ``");

@@ -107,7 +107,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn credits_move_no_line_of_the_users() {
+    fn credits_do_not_move_lines_of_the_shader() {
         let json = r#"{"info":{"id":"abcdef","name":"n","username":"u"},"renderpass":[
             {"type":"image","code":"int image;"},{"type":"buffer","code":"int buffer;"},
             {"type":"cubemap","code":"int cubemap;"},{"type":"sound","code":"int sound;"},

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_is_read_back() {
+    fn written_exports_are_read_back() {
         let text = r#"{"Shader":{"info":{"id":"abcd","name":"n"},"renderpass":[
             {"type":"image","code":"x","outputs":[{"id":37}],"inputs":[
               {"id":257,"ctype":"buffer","channel":1,"sampler":{"filter":"odd","wrap":"clamp"}},

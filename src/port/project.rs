@@ -427,7 +427,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn music_that_is_not_at_hand_is_not_loaded() {
+    fn unavailable_music_is_not_loaded() {
         let mut pass = ProjectPass::new(Pass::Image, "");
         pass.inputs = vec![
             Input::empty(0, InputKind::Music),
@@ -448,7 +448,7 @@ mod tests {
     }
 
     #[test]
-    fn the_players_samplers_are_shared() {
+    fn samplers_with_equal_settings_are_shared() {
         let reader = |channel, filter: &str, wrap: &str| Input {
             id: "4dXGR8".to_string(),
             sampler: SamplerSettings {

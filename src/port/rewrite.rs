@@ -462,7 +462,7 @@ mod tests {
     const HEAD: &str = "void mainImage(out vec4 c, in vec2 p) {";
 
     #[test]
-    fn what_does_the_same_is_written() {
+    fn equivalent_main_functions_are_rewritten() {
         for code in [
             "c = vec4(p, 0, 1);",
             "if (p.x > 9.0) c = vec4(p.y);",
@@ -482,7 +482,7 @@ mod tests {
     }
 
     #[test]
-    fn what_might_not_do_the_same_is_kept() {
+    fn main_functions_that_may_differ_are_kept() {
         kept(
             &format!("{HEAD} for (int i = 0; i < 4; i++) c[i] = p.x; }}"),
             "the rewritten shader does not compile: a fragment output must be indexed with a constant",

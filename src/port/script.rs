@@ -201,7 +201,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn uniforms_of_the_user_have_types_and_ranges() {
+    fn user_uniforms_have_types_and_ranges() {
         let code = "precision highp float;\nuniform float gain; // (0.5~4.5)\nuniform bool on;\n\
             uniform vec3 tint;\nvoid main() { gl_FragColor = vec4(on ? tint * gain : tint, 1.0); }\n";
         let mut project = Project::from_shader("", code).unwrap();
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn credits_stay_in_their_comment() {
+    fn credits_cannot_end_their_comment() {
         let json = r#"{"info":{"name":"a\n*/ alert(1) //\u2028x</script>","username":"b\\"},
             "renderpass":[{"type":"image","code":"void mainImage(out vec4 c, in vec2 f) {}"}]}"#;
         let project = Project::from_json(json).unwrap();

@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn files_are_known_by_their_first_bytes() {
+    fn media_types_are_detected_by_the_first_bytes() {
         check(b"\x89PNG\r\n\x1a\n\0\0", Some("image/png"));
         check(b"\xff\xd8\xff\xe0", Some("image/jpeg"));
         check(b"GIF89a", Some("image/gif"));
@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_volume_is_as_long_as_it_says() {
+    fn volumes_must_have_the_size_in_their_header() {
         let mut volume = b"BIN\0\x02\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\0\0".to_vec();
         volume.extend([0; 8]);
         check(&volume, Some("application/octet-stream"));
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_media_is_named() {
+    fn files_that_are_not_media_are_named_in_messages() {
         assert!(why_not(b"<?xml version='1.0'?>\n<svg>").contains("SVG"));
         assert!(why_not(b"<!DOCTYPE html>").contains("HTML"));
         assert!(why_not(b"").contains("empty"));

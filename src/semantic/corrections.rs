@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_count_that_ends_early_shows_whether_there_are_fewer() {
+    fn capped_error_counts_compare_like_full_counts() {
         let heads = [
             "",
             // Their uses show that both are a `vec2`.

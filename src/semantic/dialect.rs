@@ -496,7 +496,7 @@ mod tests {
     }
 
     #[test]
-    fn the_words_of_a_text_show_what_it_is_for() {
+    fn the_names_of_a_text_show_its_dialect() {
         check(
             "#version 300 es\nvoid mainImage(){} void main(){}",
             Some(GuessedKind::Versioned),

@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_of_constants_are_computed() {
+    fn built_in_functions_of_constants_are_folded() {
         check(Mod, &[&[-1.0], &[3.0]], &[2.0]);
         check(Clamp, &[&[5.0, -5.0], &[0.0], &[1.0]], &[1.0, 0.0]);
         check(Mix, &[&[0.0, 2.0], &[4.0, 4.0], &[0.5]], &[2.0, 3.0]);
@@ -378,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_undefined_is_what_the_browser_makes_of_it() {
+    fn undefined_results_are_folded_as_in_the_browser() {
         check(Clamp, &[&[3.0], &[7.0], &[1.0]], &[0.0]);
         check(Clamp, &[&[f32::NAN], &[1.0], &[2.0]], &[1.0]);
         check(Smoothstep, &[&[1.0], &[0.5], &[0.7]], &[0.0]);

@@ -254,7 +254,7 @@ mod tests {
 
     /// The header lengths of ShaderToy, counted in its code and confirmed on the site.
     #[test]
-    fn the_first_line_of_a_pass_has_the_number_that_it_has_on_the_site() {
+    fn passes_have_the_line_numbers_of_shadertoy() {
         let all = [
             (Pass::Image, 54),
             (Pass::Buffer, 28),

@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn entries_come_to_their_lists_in_order() {
+    fn entries_keep_their_order_in_each_list() {
         let entries = [(2, 'a'), (0, 'b'), (2, 'c'), (7, 'd')];
         let lists = Lists::of(4, entries.into_iter());
         let found: Vec<&[char]> = (0..5).map(|i| lists.get(i)).collect();

@@ -247,7 +247,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn inner_scopes_hide_outer_ones_until_they_end() {
+    fn inner_scopes_shadow_outer_ones_until_they_end() {
         let mut scopes = Scopes::default();
         let (a, b) = (Name(3), Name(4));
         scopes.declare(a, Binding::Struct(1));

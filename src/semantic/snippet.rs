@@ -207,7 +207,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn items_are_distinguished() {
+    fn statements_and_declarations_of_a_snippet_are_distinguished() {
         let text = "#define A 1\nfloat f(float x) { return x; }\nfloat a = f(1.0);\na += 2.0;\n\
             if (a > 1.0) { a = 1.0; } else a = 2.0;\nfor (int i = 0; i < 3; i++) { a++; }\n\
             struct S { float x; };\nconst float B = 1.0;\nreturn a;\nvec3 g(vec3 p);\nfloat b";

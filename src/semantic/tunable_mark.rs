@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn other_conventions_are_read_too() {
+    fn slider_comments_of_other_tools_are_read() {
         let range = |min: f64, max: f64| MarkMeaning::Range(vec![min], vec![max]);
         marked(
             "//! slider[0, 0.4, 1]",

@@ -477,7 +477,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn types_are_named_as_they_are_written() {
+    fn types_are_printed_as_glsl() {
         let name = |ty| type_name(ty, |_| "S".to_string());
         assert_eq!(name(Type::matrix(2, 3)), "mat2x3");
         assert_eq!(name(Type::vector(Scalar::Uint, 4).array_of(3)), "uvec4[3]");

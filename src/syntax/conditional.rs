@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn groups_are_nested() {
+    fn conditional_groups_are_nested() {
         let text =
             "#if A\n#ifdef B // b\n#endif\n#elif C\n#else\n# ifndef D\n#endif\n#endif\n#endif\n";
         assert_eq!(
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn conditions_test_macros() {
+    fn tested_macros_of_conditions_are_found() {
         let read = |line: &'static str| {
             let tokens = tokenize(line, 0);
             let directive = ConditionalDirective::read(&raw_items(&tokens)[0], line, 0).unwrap();

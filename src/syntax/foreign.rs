@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn types_are_put_together_from_scalars_and_sizes() {
+    fn types_of_other_languages_map_to_glsl_types() {
         check("float3", "vec3");
         check("uint2", "uvec2");
         check("half4x4", "mat4");
@@ -303,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_of_c_lose_their_suffix() {
+    fn suffixes_of_c_functions_are_removed() {
         check("sinf", "sin");
         check("powf", "pow");
         check("halff", "");

@@ -138,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn versions_have_what_their_profiles_list() {
+    fn versions_have_the_features_of_their_profile() {
         for version in [Version::Es100, Version::Es300] {
             assert_eq!(version.profile().version, version);
         }

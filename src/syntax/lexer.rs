@@ -447,7 +447,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_read_as_the_browser_reads_them() {
+    fn numbers_are_lexed_as_in_the_browser() {
         for float in ["1.", ".5", "1.5e-3", "5e2", "1.f", "1e5F"] {
             check(float, &[(Float, float)]);
         }
@@ -472,7 +472,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_are_kept() {
+    fn comments_are_tokens() {
         check("/**/a", &[(BlockComment, "/**/"), (Word, "a")]);
         check("/***/", &[(BlockComment, "/***/")]);
         check(
@@ -512,7 +512,7 @@ mod tests {
     }
 
     #[test]
-    fn odd_characters_are_tokens_too() {
+    fn unexpected_characters_are_tokens() {
         check("→$", &[(Other, "→"), (Other, "$")]);
         check(
             "naïve2 é",

@@ -474,7 +474,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_word_keeps_its_name_while_the_table_grows() {
+    fn ids_of_names_stay_valid_while_the_table_grows() {
         let mut names = Names::default();
         let all: Vec<Name> = (0..5000)
             .map(|i| names.intern(&format!("word{i}")))
@@ -487,7 +487,7 @@ mod tests {
     }
 
     #[test]
-    fn words_change_their_class_with_the_version() {
+    fn keywords_depend_on_the_version() {
         assert_eq!(classify("sample", Version::Es100), WordClass::Plain);
         assert_eq!(classify("sample", Version::Es300), WordClass::Reserved);
         assert_eq!(classify("packed", Version::Es100), WordClass::Reserved);

@@ -387,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_needed_goes() {
+    fn unnecessary_code_is_removed() {
         check(
             "#define N 3\nuniform float a, b;\nvoid f() { a; }\nvoid main() { f(); if (a > b) { g(x + y * z); } }\n",
             &["void main", "g(", "z"],
@@ -398,7 +398,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_valid_stays_valid() {
+    fn reduced_code_stays_valid() {
         let text = "float f(float x) { return x; }\nvoid main() { for (int i = 0; i < 3; i++) { float y = f(float(i)) * 2.0; } }\n";
         let mut keeps = |t: &str| {
             let s = TextStructure::of(t);
@@ -411,7 +411,7 @@ mod tests {
     }
 
     #[test]
-    fn it_ends_when_the_tries_are_over() {
+    fn reduction_stops_at_the_limit_of_attempts() {
         let text = "int a;\n".repeat(500);
         let mut keeps = |_: &str| false;
         let left = reduce(&text, 100, &mut keeps);

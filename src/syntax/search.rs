@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_of_the_best_holds_and_ends_the_search() {
+    fn the_first_of_the_best_candidates_ends_the_search() {
         let mut tried = Vec::new();
         let found = search(100).fewest((5, 1), 10, [7, 3, 3, 1, 0], |_, &faults, _| {
             tried.push(faults);
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn all_is_paid_from_one_budget() {
+    fn nested_searches_share_one_budget() {
         let mut all = search(100);
         let mut tried = 0;
         let count = |_: &mut Search, _: &i32, _| {

@@ -179,7 +179,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sets_hold_what_they_are_made_of() {
+    fn token_sets_contain_their_elements() {
         let set = TokenSet::of(&[T::End, T::XorEqual]);
         assert!(set.contains(T::End) && set.contains(T::XorEqual));
         assert!(!set.contains(T::OrEqual));

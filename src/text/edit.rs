@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn edits_apply_in_the_order_of_the_text() {
+    fn edits_are_applied_in_text_order() {
         let edits = [
             Edit::insert(13, "!"),
             Edit::replace(Span::new(10, 11), "A"),

@@ -217,7 +217,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn strings_are_found_where_they_stand() {
+    fn strings_are_found_with_their_position() {
         let text = r#"{"code": "no", "a": {"list": [{"code": "x\ny", "b": "code"}, {"c": ["z"]}, {"code": ""}]}}"#;
         let found = strings_in(text, "list", "code").unwrap();
         let values: Vec<(usize, &str)> = found.iter().map(|(i, s)| (*i, &*s.value)).collect();
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_back_in_the_same_style() {
+    fn escaped_strings_keep_the_style_of_the_original() {
         let raw = r#"[{"l": [{"k": "a\/b \u00e9 \ud834\udd1e \"\\\t"}]}]"#;
         let found = strings_in(raw, "l", "k").unwrap();
         let string = &found[0].1;

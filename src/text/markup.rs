@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_stays_inside_its_element() {
+    fn text_is_escaped_for_html_and_json() {
         assert_eq!(escape("\"><b&"), "&quot;&gt;&lt;b&amp;");
         assert_eq!(escape("it's\u{1}\n"), "it&apos;s\u{fffd}\n");
         let escaped = escape_json("\"</script><!--&\u{2028}é\"");

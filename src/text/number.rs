@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_there_is_never_written_as_nothing() {
+    fn small_percentages_are_not_printed_as_zero() {
         let shares = [0.0, 1e-7, 0.005, 0.05, 0.5, 0.9999, 1.0];
         let table = [
             "0 %", "< 0.01 %", "0.50 %", "5.0 %", "50.0 %", "99.9 %", "100 %",
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn decimals_end_with_the_last_digit() {
+    fn trailing_zeros_of_decimals_are_removed() {
         let all = [0.0, 2.0, 0.5, 10.0, 1.0 / 6.0].map(seconds);
         assert_eq!(all, ["0 s", "2 s", "0.5 s", "10 s", "0.167 s"]);
         assert_eq!(
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn significant_digits_are_a_float_of_glsl() {
+    fn rounded_numbers_are_glsl_floats() {
         let all = [0.0, 0.1 + 0.2, 12345.678, -5.9604645e-8].map(|n| significant(n, 4));
         assert_eq!(all, ["0.0", "0.3", "12350.0", "-5.96e-8"]);
         assert_eq!(significant(2.0 / 3.0, 3), "0.667");

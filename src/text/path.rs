@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn a_relative_path_leads_from_a_folder_to_a_file() {
+    fn relative_paths_lead_from_a_folder_to_a_file() {
         let from = |folder: &str, file: &str| relative(Path::new(folder), Path::new(file));
         assert_eq!(from("/a/b", "/a/c/d.glsl").as_deref(), Some("../c/d.glsl"));
         assert_eq!(from("/a", "/a/b.glsl").as_deref(), Some("b.glsl"));

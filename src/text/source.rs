@@ -275,7 +275,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_address_names_its_file() {
+    fn addresses_identify_their_file() {
         let mut sources = Sources::new();
         let a = sources.add("a", None, Role::User, "one").unwrap();
         let b = sources.add("b", None, Role::User, "two").unwrap();

@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_word_is_found_and_no_other() {
+    fn an_index_finds_exactly_its_words() {
         const WORDS: &[&str] = &["a", "ab", "b", "abc", ""];
         const INDEX: WordIndex<16> = WordIndex::new(WORDS);
         for (at, word) in WORDS.iter().enumerate() {

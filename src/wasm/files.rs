@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn folders_are_what_files_lie_in() {
+    fn in_memory_files_have_folders() {
         let texts = ["/a/b.glsl", "/a-c.glsl", "/a/d/e.glsl"];
         let texts = texts.map(|path| (PathBuf::from(path), String::new()));
         let files = MemoryFiles::new(&texts.into());

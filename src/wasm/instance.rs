@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_requests_get_a_message() {
+    fn invalid_requests_get_a_message() {
         let of = |answer: Value| answer["error"].as_str().unwrap().to_string();
         assert!(of(ask("chekc", json!({}))).starts_with("bad request: unknown variant `chekc`"));
         assert!(of(ask("explain", json!({ "name": "sqrt-nagative" }))).contains("sqrt-negative"));

@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_with_passes_is_reported() {
+    fn invalid_passes_are_reported() {
         let wrong = |request: Value| data(request).unwrap_err();
         let none = wrong(json!({ "name": "x", "passes": { "buffer_a.glsl": BUFFER } }));
         assert!(

@@ -202,7 +202,7 @@ mod tests {
     const COMMON: &str = "vec4 tint(vec2 p) {\n    return vec4(p, 0.0, 1.0);\n}\n";
 
     #[test]
-    fn files_that_were_sent_are_used_until_they_are_opened() {
+    fn sent_files_are_used_until_they_are_opened() {
         let file = |text: Option<&str>| json!({ "uri": "file:///a/common.glsl", "text": text });
         let mut server = start(&json!({ "files": [file(Some(COMMON))] }));
         assert_eq!(
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     #[cfg(feature = "port")]
-    fn configurations_among_the_files_apply() {
+    fn configurations_among_the_sent_files_apply() {
         let config =
             |text: &str| json!({ "files": [{ "uri": "file:///a/shaderlint.toml", "text": text }] });
         let mut server = start(&config("exclude = [\"image.glsl\"]"));

@@ -31,7 +31,7 @@ test("a breakpoint moves to the next statement, and counts its pixels", async ()
   assert.equal(body.breakpoint.message, "hit by 48 of 48 pixels, 192 times");
 });
 
-test("conditions", async () => {
+test("conditional breakpoints stop where the condition is true", async () => {
   const session = await launched({ ...small, stopOnEntry: false }, { breakpoints: [{ line: 14, condition: "i == 2 && fragCoord.x > 4.0" }] });
   assert.equal(await session.value("i"), "2");
   await session.move("continue");
@@ -44,7 +44,7 @@ test("conditions", async () => {
   assert.match(await failed, /j/);
 });
 
-test("hit conditions", async () => {
+test("hit conditions count how often a breakpoint is reached", async () => {
   const at = async (hitCondition) => {
     const session = await launched({ ...small, stopOnEntry: false }, { breakpoints: [{ line: 14, hitCondition }] });
     return session.value("i");
@@ -70,7 +70,7 @@ test("a breakpoint inside a call ends a step over it", async () => {
   assert.equal(await session.to("next"), "field:4 mainImage:13");
 });
 
-test("faults that a client chose", async () => {
+test("execution stops at the selected faults", async () => {
   const faulty = file("faulty.glsl", `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float zero = fragCoord.x - 4.5;
     float up = 1.0 / zero;
@@ -143,12 +143,12 @@ test("a data breakpoint stops after each write", async () => {
   assert.equal((await session.ask("dataBreakpointInfo", { name: "nothing" })).dataId, null);
 });
 
-test("breakpoints of functions are not supported", async () => {
+test("function breakpoints are accepted and ignored", async () => {
   const session = await launched(small);
   assert.deepEqual(await session.ask("setFunctionBreakpoints", { breakpoints: [] }), { breakpoints: [] });
 });
 
-test("the places of breakpoints", async () => {
+test("possible breakpoints of a range are listed", async () => {
   const session = await launched(small);
   const { breakpoints } = await session.ask("breakpointLocations", { source: { path: program }, line: 9, endLine: 11 });
   assert.deepEqual(breakpoints.map(({ line, column }) => `${line}:${column}`), ["9:5", "10:5", "11:5"]);

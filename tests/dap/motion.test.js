@@ -6,7 +6,7 @@ import { BALL, file, launched } from "./client.js";
 
 const program = file("ball.glsl", BALL);
 
-test("steps in, over, out, and back", async () => {
+test("stepping goes in, over, out and back", async () => {
   const session = await launched({ program, size: [8, 8], pixel: [4, 4] });
   assert.equal(session.first.reason, "entry");
   assert.equal(await session.stack(), "mainImage:9");
@@ -27,7 +27,7 @@ test("steps in, over, out, and back", async () => {
   assert.equal(await session.to("shaderlint/stepBackOut"), "mainImage:13");
 });
 
-test("goes to the next iteration and back to where a value was written", async () => {
+test("execution continues to the next iteration and back to the last write of a value", async () => {
   const session = await launched({ program, size: [8, 8] }, { breakpoints: [{ line: 14 }] });
   assert.equal((await session.move("continue")).reason, "breakpoint");
   assert.equal(await session.value("i"), "0");
@@ -65,7 +65,7 @@ test("each step back restores every value", async () => {
   }
 });
 
-test("ends after the last statement, and reverse goes to the first", async () => {
+test("execution ends after the last statement and reverses to the first", async () => {
   const session = await launched({ program, size: [8, 8] });
   await session.move("continue");
   assert.equal(await session.stack(), "mainImage:21");
@@ -77,7 +77,7 @@ test("ends after the last statement, and reverse goes to the first", async () =>
   await ended;
 });
 
-test("shows another pixel, time or frame", async () => {
+test("the pixel, time and frame can be changed", async () => {
   const moving = file("moving.glsl", `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float x = fragCoord.x;
     fragColor = vec4(x, iTime, float(iFrame), 1.0);
@@ -111,7 +111,7 @@ test("the pixels of the quad are threads", async () => {
   assert.equal(await session.stack(3), "mainImage:10");
 });
 
-test("a motion that fails stays where it was", async () => {
+test("a failed step does not change the position", async () => {
   const session = await launched({ program: file("still.glsl", BALL), size: [8, 8] });
   const stopped = session.client.waitForEvent("stopped");
   assert.ok(await session.refused("next", { threadId: 9 }));
@@ -119,7 +119,7 @@ test("a motion that fails stays where it was", async () => {
   assert.equal(await session.stack(), "mainImage:9");
 });
 
-test("reads a program in the head of a loop", async () => {
+test("reloading keeps the position in the header of a loop", async () => {
   const session = await launched({ program: file("head.glsl", BALL), size: [8, 8] });
   const column = async () => (await session.frames())[0].column;
   while ((await session.stack()) !== "mainImage:12") await session.move("next");
@@ -132,7 +132,7 @@ test("reads a program in the head of a loop", async () => {
   }
 });
 
-test("reads an edited program at the same place", async () => {
+test("reloading an edited program keeps the position", async () => {
   const edited = file("edited.glsl", BALL);
   const session = await launched({ program: edited, size: [8, 8] }, { breakpoints: [{ line: 14 }] });
   await session.move("continue");

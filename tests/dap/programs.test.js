@@ -16,7 +16,7 @@ const IMAGE = `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 }
 `;
 
-test("an export, whose passes have no files", async () => {
+test("passes of an export are sources without files", async () => {
   const input = { id: 257, src: "", ctype: "buffer", channel: 0, sampler: {} };
   const passes = [
     { inputs: [input], outputs: [{ id: 257, channel: 0 }], code: BUFFER, name: "Buffer A", type: "buffer" },
@@ -42,7 +42,7 @@ test("an export, whose passes have no files", async () => {
   assert.notEqual(await session.refused("shaderlint/pixel", { pass: "buffer_z" }), "");
 });
 
-test("a pass of a folder, in a frame", async () => {
+test("a pass of a folder is debugged in the requested frame", async () => {
   const image = file("passes/image.glsl", IMAGE);
   file("passes/buffer_a.glsl", BUFFER);
   file("passes/channels.toml", "0 = \"buffer_a\"\n\n[buffer_a]\n0 = \"buffer_a\"\n");
@@ -56,7 +56,7 @@ test("a pass of a folder, in a frame", async () => {
   assert.ok(sources.some((known) => known.path?.endsWith("buffer_a.glsl")));
 });
 
-test("the first stop waits for no other pass", async () => {
+test("the first stop does not wait for other passes", async () => {
   const image = file("slow/image.glsl", IMAGE);
   file("slow/buffer_a.glsl", `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float sum = 0.0;
@@ -75,7 +75,7 @@ test("the first stop waits for no other pass", async () => {
   assert.deepEqual(session.progress, [["progressStart", id], ["progressEnd", id]]);
 });
 
-test("an included file", async () => {
+test("breakpoints in included files are hit", async () => {
   const tint = file("tint.glsl", "vec3 tint(float x) {\n    vec3 c = vec3(x);\n    return c;\n}\n");
   const program = file("tinted.glsl", `#include "tint.glsl"
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
@@ -91,7 +91,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
   assert.equal(path.basename(source.path), "tint.glsl");
 });
 
-test("lines and columns from 0", async () => {
+test("clients may count lines and columns from 0", async () => {
   const program = file("ball.glsl", BALL);
   const start = { linesStartAt1: false, columnsStartAt1: false };
   const session = await launched({ program, size: [8, 6] }, { breakpoints: [{ line: 13 }], start });
@@ -104,7 +104,7 @@ test("lines and columns from 0", async () => {
   assert.deepEqual(breakpoints, [{ line: 8, column: 4 }]);
 });
 
-test("programs that cannot be launched", async () => {
+test("programs that cannot be launched are reported", async () => {
   const client = await connected();
   await client.initializeRequest();
   const launch = (args) => client.launchRequest(args).then(() => "", (error) => error.message);
@@ -123,7 +123,7 @@ test("programs that cannot be launched", async () => {
   assert.equal(await launch({ program }), "");
 });
 
-test("requests without a program, unknown ones, and those after the end", async () => {
+test("requests without a program, unknown requests and requests after the end are errors", async () => {
   const client = await connected();
   await client.initializeRequest();
   const refused = (command, args = {}) => client.customRequest(command, args).then(() => "", (error) => error.message);
@@ -160,7 +160,7 @@ function sent(...parts) {
 const framed = (text) => `Content-Length: ${Buffer.byteLength(text)}\r\n\r\n${text}`;
 const request = (command, fields = {}) => framed(JSON.stringify({ seq: 1, type: "request", command, ...fields }));
 
-test("input that is no message", async () => {
+test("invalid messages end the session with an error", async () => {
   const end = await sent(request("initialize"));
   assert.equal(end.code, 0);
   assert.match(end.output, /"initialized"/);

@@ -6,7 +6,7 @@ import { BALL, file, launched } from "./client.js";
 const program = file("ball.glsl", BALL);
 const atEnd = () => launched({ program, size: [8, 6], stopOnEntry: false }, { breakpoints: [{ line: 20 }] });
 
-test("variables of every type, and their parts", async () => {
+test("variables of every type are shown with their parts", async () => {
   const session = await atEnd();
   const { tint, hit, turn, list, fragCoord } = await session.variables();
   assert.equal(fragCoord.value, "vec2(4.5, 3.5)");
@@ -33,7 +33,7 @@ test("a variable appears after its declaration", async () => {
   assert.equal((await session.variables()).uv.type, "vec2");
 });
 
-test("scopes of uniforms, and those of a caller", async () => {
+test("scopes show uniforms and the variables of callers", async () => {
   const session = await launched({ program, size: [8, 6], stopOnEntry: false, uniforms: {} }, { breakpoints: [{ line: 5 }] });
   const [inner, outer] = await session.frames();
   assert.deepEqual([inner.name, outer.name], ["field", "mainImage"]);
@@ -47,7 +47,7 @@ test("scopes of uniforms, and those of a caller", async () => {
   assert.equal(one.totalFrames, 2);
 });
 
-test("any expression", async () => {
+test("any expression can be evaluated", async () => {
   const session = await atEnd();
   assert.equal(await session.value("hit.way * 2.0"), "3.75");
   assert.equal(await session.value("tint.bgr"), "vec3(0.4, 0.6, 0.8)");
@@ -62,7 +62,7 @@ test("any expression", async () => {
   assert.notEqual(await session.refused("evaluate", { expression: "" }), "");
 });
 
-test("an expression over the screen", async () => {
+test("an expression can be drawn for all pixels", async () => {
   const session = await atEnd();
   const image = await session.ask("shaderlint/image", { expression: "uv" });
   assert.deepEqual([image.width, image.height, image.pixels], [8, 6, 48]);
@@ -72,7 +72,7 @@ test("an expression over the screen", async () => {
   assert.match(await session.refused("shaderlint/image", { expression: "nothing" }), /nothing/);
 });
 
-test("values are no longer shown after a step", async () => {
+test("references to values are invalid after a step", async () => {
   const session = await atEnd();
   const { hit } = await session.variables();
   await session.move("stepBack");

@@ -95,7 +95,7 @@ fn nest(count: usize, before: &str, inner: &str, after: &str) -> String {
 }
 
 #[test]
-fn deeply_nested_constructs() {
+fn deeply_nested_constructs_do_not_crash() {
     let constructs = [
         ("(", "1.0", ")"),
         ("-", "x", ""),
@@ -136,7 +136,7 @@ fn deeply_nested_constructs() {
 }
 
 #[test]
-fn unclosed_constructs() {
+fn unclosed_constructs_are_refused_quickly() {
     let opened = [
         "(",
         "[",
@@ -199,7 +199,7 @@ fn long_chains_do_not_count_as_nesting() {
 }
 
 #[test]
-fn many_errors_in_one_line() {
+fn many_errors_in_one_line_are_refused_quickly() {
     let many = |text: &str| text.repeat(100_000);
     for head in ["if (x; ", "while (x; ", "for (;; x; ", "for (x; "] {
         expect(&body(&many(head)), Refused);
@@ -211,14 +211,14 @@ fn many_errors_in_one_line() {
 
 /// Two candidate repairs that may remove the same token.
 #[test]
-fn overlapping_corrections() {
+fn overlapping_repairs_do_not_crash() {
     let code = "y 08 default: return \u{e9}, += f(uniform ; } /* note */ [o = vec4(x, y, 0.0, 1.0);\n\
                 o ) vec3 #else\nx const ";
     expect(code, Refused);
 }
 
 #[test]
-fn exponential_macro_expansion() {
+fn exponential_macro_expansion_is_limited() {
     let doubled = |depth: usize| {
         let lines = each(depth, |i| format!("#define M{} M{i} + M{i}\n", i + 1));
         format!("#define M0 1.0\n{lines}{}", body(&format!("x = M{depth};")))
@@ -266,7 +266,7 @@ fn exponential_macro_expansion() {
 }
 
 #[test]
-fn extreme_directives() {
+fn extreme_directives_are_refused_quickly() {
     expect(
         &format!("#if {}\n#endif\n{}", nest(50_000, "(", "1", ")"), body("")),
         Refused,
@@ -305,7 +305,7 @@ fn extreme_directives() {
 }
 
 #[test]
-fn huge_tokens() {
+fn huge_tokens_are_refused_quickly() {
     expect(
         &body(&format!("float {} = 1.0;", "a".repeat(1_000_000))),
         Refused,
@@ -356,7 +356,7 @@ fn expect_after(declarations: &str, code: &str, verdict: Verdict) {
 }
 
 #[test]
-fn many_functions() {
+fn many_functions_are_checked_quickly() {
     let functions = each(COUNT, |i| format!("float f{i}(float x) {{ return x; }}\n"));
     expect_after(&functions, "", Compiles);
     let first = "float f0(float x) { return x; }\n";
@@ -377,7 +377,7 @@ fn many_functions() {
 }
 
 #[test]
-fn many_declarations() {
+fn many_declarations_are_checked_quickly() {
     let variables = each(COUNT, |i| format!("float v{i} = x;"));
     expect(&body(&variables), Compiles);
     let scopes = each(COUNT, |i| format!("float v{i} = x; {{ float v{i} = x; }}"));
@@ -393,7 +393,7 @@ fn many_declarations() {
 }
 
 #[test]
-fn many_cases() {
+fn many_cases_are_checked_quickly() {
     let cases = each(COUNT, |i| format!("case {i}: x = 1.0; break;\n"));
     expect(&body(&format!("switch (n) {{ {cases} }}")), Compiles);
     let same = "case 1: x = 1.0; break;\n".repeat(COUNT);
@@ -401,7 +401,7 @@ fn many_cases() {
 }
 
 #[test]
-fn many_arguments() {
+fn many_arguments_are_checked_quickly() {
     let args = vec!["x"; COUNT].join(", ");
     expect(&body(&format!("x = f({args});")), Refused);
     expect(&body(&format!("o = vec4({args});")), Refused);
@@ -412,7 +412,7 @@ fn many_arguments() {
 }
 
 #[test]
-fn many_errors() {
+fn many_errors_are_refused_quickly() {
     expect(
         &body(&each(50_000, |i| format!("undefined{i};\n"))),
         Refused,
@@ -438,7 +438,7 @@ fn many_errors() {
 }
 
 #[test]
-fn huge_types() {
+fn huge_types_are_refused_quickly() {
     expect(&body("float a[2147483647]; x = a[0];"), Refused);
     expect(&body("float a[0]; float b[-1]; float c[n];"), Refused);
     expect(&body("int a[10000000]; int b[10000000]; a = b;"), Refused);

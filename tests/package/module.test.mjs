@@ -49,7 +49,7 @@ function copy(t) {
   return folder;
 }
 
-test("the findings of many files, and their summary", () => {
+test("findings of many files and their summary equal those of the program", () => {
   for (const format of ["human", "short", "agent", "jsonl"]) {
     const { status, stdout } = same(["--no-cache", "--format", format, "."]);
     assert.equal(status, 1);
@@ -61,7 +61,7 @@ test("the findings of many files, and their summary", () => {
   }
 });
 
-test("one file in each format, options and exit codes", () => {
+test("formats, options and exit codes equal those of the program", () => {
   for (const format of ["human", "short", "agent", "json", "jsonl", "sarif"]) {
     same(["--no-cache", "--format", format, "define_with_semicolon.glsl"]);
   }
@@ -77,7 +77,7 @@ test("one file in each format, options and exit codes", () => {
   same(["--no-cache", "page.html.txt"]);
 });
 
-test("pages and the table of rules", () => {
+test("rule pages and the table of rules equal those of the program", () => {
   same(["explain", "sqrt-negative"]);
   same(["explain", "sqrt-nagative"]);
   same(["rules"]);
@@ -87,7 +87,7 @@ test("pages and the table of rules", () => {
 });
 
 for (const args of [["--no-cache", "--fix", "."], ["fmt", "."], ["fmt", "--check", "."]]) {
-  test(args.join(" "), (t) => {
+  test(`${args.join(" ")} changes the same files as the program`, (t) => {
     const [before, expected, actual] = [copy(t), copy(t), copy(t)];
     assert.deepEqual(launch(args, actual), native(args, expected));
     assert.deepEqual(contents(actual), contents(expected));
@@ -109,12 +109,12 @@ test("files that git ignores are not checked", (t) => {
 });
 
 // More than a pipe holds.
-test("a reader that closes the output", () => {
+test("a reader may close the output early", () => {
   const { stderr } = run("sh", ["-c", '"$LAUNCHER" --format jsonl . | head -1'], MISTAKES);
   assert.equal(stderr, "");
 });
 
-test("what needs the program is refused", (t) => {
+test("commands that require the program are refused", (t) => {
   const refused = (args, message, cwd = MISTAKES) => {
     const { status, stderr, stdout } = launch(args, cwd);
     assert.deepEqual([status, stdout], [2, ""], args.join(" "));

@@ -3,7 +3,7 @@
 use super::scratch::{BROKEN, Scratch, WARNED};
 
 #[test]
-fn a_baseline_hides_known_findings_only() {
+fn baselines_hide_known_findings_only() {
     let scratch = Scratch::new(&[("src/a.glsl", WARNED), ("src/b.glsl", BROKEN)]);
     let ran = scratch.run(&["--write-baseline", "baseline.json", "src"]);
     assert_eq!((ran.code, ran.out.as_str()), (0, ""));
@@ -32,7 +32,7 @@ fn a_baseline_hides_known_findings_only() {
 }
 
 #[test]
-fn a_baseline_works_from_every_folder() {
+fn baselines_work_from_every_folder() {
     let scratch = Scratch::new(&[("src/a.glsl", WARNED)]);
     scratch.run(&["--write-baseline", "baseline.json", "./src/a.glsl"]);
     let path = scratch.path("src/a.glsl");

@@ -33,7 +33,7 @@ fn is_cached(scratch: &Scratch, args: &[&str]) -> bool {
 }
 
 #[test]
-fn an_unchanged_file_is_not_checked_again() {
+fn unchanged_files_are_not_checked_again() {
     let scratch = Scratch::new(&[("a.glsl", WARNED)]);
     let first = scratch.run(&["a.glsl"]);
     assert_eq!(scratch.read(".shaderlint_cache/.gitignore"), "*\n");
@@ -56,7 +56,7 @@ fn an_unchanged_file_is_not_checked_again() {
 }
 
 #[test]
-fn what_a_check_depends_on_is_asked_again() {
+fn changed_dependencies_invalidate_the_cache() {
     let vertex = "#version 300 es\nin vec4 at;\nout vec2 uv;\nvoid main() { gl_Position = at; }\n";
     let fragment = "#version 300 es\nprecision highp float;\nin vec3 uv;\nout vec4 color;\n\
         uniform float x;\nvoid main() { color = vec4(uv, sqrt(x)); }\n";
@@ -111,7 +111,7 @@ fn what_a_check_depends_on_is_asked_again() {
 }
 
 #[test]
-fn a_damaged_or_unwritable_cache_costs_time_only() {
+fn damaged_or_unwritable_caches_are_ignored() {
     let scratch = Scratch::new(&[("a.glsl", WARNED)]);
     let expected = scratch.run(&["--no-cache", "a.glsl"]).out;
     assert!(entries(&scratch).is_empty());
@@ -132,7 +132,7 @@ fn a_damaged_or_unwritable_cache_costs_time_only() {
 
 #[cfg(unix)]
 #[test]
-fn another_build_of_the_program_checks_again() {
+fn caches_of_other_builds_are_ignored() {
     let scratch = Scratch::new(&[("a.glsl", WARNED)]);
     scratch.run(&["a.glsl"]);
     mark(&scratch);

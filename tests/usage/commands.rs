@@ -8,7 +8,7 @@ use std::process::Stdio;
 use std::sync::mpsc::{self, Receiver};
 
 #[test]
-fn an_alias_names_its_rule_everywhere() {
+fn aliases_of_rules_are_accepted_everywhere() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    bool b = p.x > 9.0;\n    c = vec4(b == true ? 1.0 : 0.5);\n}\n";
     let allowed = format!("// shaderlint: allow-file(redundant-bool)\n{code}");
     let scratch = Scratch::new(&[
@@ -79,7 +79,7 @@ fn every_rule_is_listed_and_explained() {
 }
 
 #[test]
-fn commands_that_people_type_exist() {
+fn check_help_and_init_are_commands() {
     let scratch = Scratch::new(&[("a.glsl", super::scratch::WARNED)]);
     let plain = scratch.run(&["--info", "--no-run", "a.glsl"]);
     assert_eq!(

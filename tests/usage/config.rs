@@ -54,7 +54,7 @@ fn rules_and_groups_have_levels() {
 }
 
 #[test]
-fn a_rule_that_is_off_can_be_turned_on() {
+fn disabled_rules_can_be_enabled() {
     let code = "float f(float x, float y) { return x; }\n\
         void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x, p.y)); }\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
@@ -156,7 +156,7 @@ fn overrides_apply_to_their_paths() {
 }
 
 #[test]
-fn the_dialect_is_set_for_all_and_for_some() {
+fn dialects_can_be_overridden_by_path() {
     let webgl1 = "precision highp float;\nvoid main() { gl_FragColor = vec4(1.0); }\n";
     let scratch = Scratch::new(&[
         (
@@ -205,7 +205,7 @@ fn the_host_declares_uniforms() {
 }
 
 #[test]
-fn three_declares_its_names() {
+fn the_three_host_declares_its_names() {
     let code = "varying vec2 vUv;\nvoid main() {\n    vUv = uv;\n    \
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);\n}\n";
     let wrong = code.replace("vec4(position, 1.0)", "vec4(normal.xy, 1.0)");
@@ -238,7 +238,7 @@ fn three_declares_its_names() {
 }
 
 #[test]
-fn include_and_exclude_choose_files_in_folders() {
+fn include_and_exclude_select_files_in_folders() {
     let scratch = Scratch::new(&[
         ("a.glsl", WARNED),
         ("a.shader", WARNED),
@@ -382,7 +382,7 @@ fn the_documented_example_is_valid() {
 }
 
 #[test]
-fn a_clean_file_needs_no_configuration() {
+fn files_are_checked_without_a_configuration() {
     let scratch = Scratch::new(&[("a.glsl", CLEAN)]);
     assert_eq!(scratch.run(&["a.glsl"]).code, 0);
 }
@@ -419,7 +419,7 @@ fn a_user_defined_host_is_described_in_glsl() {
 
 /// Presets choose rules and show their infos; by default infos are only counted.
 #[test]
-fn presets_and_infos() {
+fn presets_select_rules_and_show_infos() {
     let code = "float idle(float x) { return x; }\n\
         void mainImage(out vec4 c, in vec2 p) {\n    float unused = 1.0;\n    c = vec4(p, 0.0, 1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
@@ -462,7 +462,7 @@ fn presets_and_infos() {
 
 /// One finding for one mistake and file, with the other places.
 #[test]
-fn places_of_the_same_mistake_are_joined() {
+fn repeated_mistakes_are_one_finding() {
     let code = "float f(float x) {\n    float y = pow(x - 2.0, 2.0);\n    return y + pow(x - 2.0, 2.0);\n}\n\
         float g(float x) { return pow(x - 3.0, 2.0); }\n\
         void mainImage(out vec4 c, in vec2 p) {\n    float a, b = 1.0;\n    float d = 2.0;\n    \

@@ -4,7 +4,7 @@ use super::scratch::{BROKEN, CLEAN, Scratch, WARNED, after_fix};
 use std::fs;
 
 #[test]
-fn safe_fixes_are_written_until_nothing_is_left() {
+fn safe_fixes_are_applied_until_none_is_left() {
     let scratch = Scratch::new(&[("a.glsl", BROKEN), ("b.glsl", CLEAN)]);
     let ran = scratch.run(&["--fix", "."]);
     assert_eq!(
@@ -21,7 +21,7 @@ fn safe_fixes_are_written_until_nothing_is_left() {
 }
 
 #[test]
-fn verbose_output_tells_how_fixes_were_verified() {
+fn verbose_output_shows_how_fixes_were_verified() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    vec3 v = vec3(p, iTime);\n    v = v;\n    c = vec4(v, 1.0);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let ran = scratch.run(&["-v", "--fix", "a.glsl"]);
@@ -56,7 +56,7 @@ fn names_in_macros_are_renamed() {
 }
 
 #[test]
-fn unsafe_fixes_need_an_option() {
+fn unsafe_fixes_require_an_option() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = acos(iTime * 2.0 + 3.0);\n    c = vec4(a);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let reported = scratch.run(&["a.glsl"]).out;
@@ -127,7 +127,7 @@ fn fixed_standard_input_is_printed() {
 }
 
 #[test]
-fn line_ends_are_preserved() {
+fn line_breaks_are_preserved() {
     let crlf = BROKEN.replace('\n', "\r\n");
     let scratch = Scratch::new(&[("a.glsl", &crlf)]);
     assert_eq!(scratch.run(&["--fix", "a.glsl"]).code, 0);
@@ -147,7 +147,7 @@ fn line_ends_are_preserved() {
 
 #[cfg(unix)]
 #[test]
-fn symbolic_links_modes_and_read_only_files() {
+fn symbolic_links_and_modes_of_fixed_files_are_preserved() {
     use std::os::unix::fs::{PermissionsExt, symlink};
     let scratch = Scratch::new(&[("real/a.glsl", BROKEN), ("locked.glsl", BROKEN)]);
     let mode = |name: &str, mode: u32| {
@@ -201,7 +201,7 @@ fn shaders_inside_other_files_are_fixed_in_place() {
 }
 
 #[test]
-fn a_string_in_quotes_stays_a_string() {
+fn quoted_strings_stay_quoted() {
     let text = "const s = \"#version 300 es\\nprecision highp float;\\nout vec4 c;\\nvoid main() { float a = 1; c = vec4(a); }\";\n";
     let scratch = Scratch::new(&[("a.js", text)]);
     scratch.run(&["--fix", "a.js"]);
@@ -233,7 +233,7 @@ fn exports_are_fixed_in_place() {
 }
 
 #[test]
-fn errors_uncovered_by_fixes_are_fixed_too() {
+fn errors_uncovered_by_fixes_are_fixed() {
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    float a = 0; float b = max(a, 0); vec3 v = a;\n    c = vec4(v, b);\n}\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let reported = scratch.run(&["a.glsl"]).out;

@@ -127,7 +127,7 @@ void main() {
 
 /// The head of a text declares its names: an unknown name is an error.
 #[test]
-fn names_declared_in_the_head_are_known() {
+fn names_declared_in_the_header_are_known() {
     let wrong = ISF.replace("old), amount)", "old), amuont)");
     let versioned = ISF.replace("}*/", "}*/\n#version 120");
     let scratch = Scratch::new(&[("a.fs", ISF), ("b.fs", &wrong), ("c.fs", &versioned)]);

@@ -29,7 +29,7 @@ fn finds(file: &str, directive: &str) {
 }
 
 #[test]
-fn files_are_resolved_like_bundlers_do() {
+fn includes_are_resolved_as_in_bundlers() {
     finds("src/x/f.glsl", "#include \"f.glsl\"");
     finds("src/x/f.glsl", "#include './f.glsl';");
     finds("src/x/f.glsl", "#include f");
@@ -65,7 +65,7 @@ fn missing_includes_are_not_errors() {
 }
 
 #[test]
-fn includes_may_leave_the_folder_within_a_repository() {
+fn includes_outside_of_the_folder_require_a_repository() {
     for (mark, text) in [
         (".git/HEAD", ""),
         ("package.json", "{}"),
@@ -99,7 +99,7 @@ fn include_roots_are_searched() {
 }
 
 #[test]
-fn a_file_is_included_once() {
+fn files_are_included_once() {
     let a = calling("#include \"b.glsl\"\n#include \"f.glsl\"\n#include \"f.glsl\"");
     let b = "#ifdef X\n#include \"f.glsl\"\n#endif\n#include \"k.glsl\"\n#include \"k.glsl\"\n";
     let k = "const float K = 1.0;\n";
@@ -108,7 +108,7 @@ fn a_file_is_included_once() {
 }
 
 #[test]
-fn conditional_includes_of_the_same_file() {
+fn conditional_includes_of_the_same_file_are_resolved() {
     let a = calling(
         "#define X\n#ifdef X\n#include \"f.glsl\"\n#endif\n#ifndef Y\n#include \"f.glsl\"\n#endif",
     );
@@ -253,7 +253,7 @@ fn common_code_is_checked_as_common_code() {
 }
 
 #[test]
-fn chunks_of_a_host_are_not_read_from_files() {
+fn chunks_of_three_js_are_not_read_from_files() {
     let a = "#include <common>\nvoid main() { gl_FragColor = vec4(saturate(0.5)); }\n";
     let scratch = Scratch::new(&[("a.frag", a), ("common.glsl", "float ( ;\n")]);
     scratch.write("shaderlint.toml", "host = \"three\"");

@@ -433,7 +433,7 @@ fn generated_files_are_skipped_in_folders() {
 }
 
 #[test]
-fn a_byte_order_mark_of_a_file_is_a_warning() {
+fn byte_order_marks_are_warnings() {
     let shader = "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() {\n    c = vec4(1.0);\n}\n";
     let scratch = Scratch::new(&[]);
     scratch.write("a.frag", format!("\u{feff}{shader}"));

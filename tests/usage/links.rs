@@ -86,7 +86,7 @@ void main() { gl_FragColor = vec4(vUv * uTime, 1.0); }
 ";
 
 #[test]
-fn a_page_with_one_of_each_is_linked() {
+fn the_two_shaders_of_a_page_are_linked() {
     check(
         &[("p.html", PAGE)],
         &["p.html"],
@@ -129,7 +129,7 @@ fn uniforms_queried_by_a_page_must_exist() {
 }
 
 #[test]
-fn materials_of_three_js_are_linked_one_by_one() {
+fn materials_of_three_js_are_linked_separately() {
     let script = "\
 import * as THREE from 'three';
 const good = new THREE.ShaderMaterial({

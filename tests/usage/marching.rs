@@ -105,7 +105,7 @@ fn rays(scratch: &Scratch) -> Vec<(f64, f64)> {
 }
 
 #[test]
-fn rays_find_surfaces_whose_distance_is_exact() {
+fn exact_distance_fields_are_marched_without_holes() {
     for scene in GENTLE {
         for march in [PARAMETER, POINT, LATE] {
             let text = shader(scene, [march, LIGHT]);
@@ -122,7 +122,7 @@ fn rays_find_surfaces_whose_distance_is_exact() {
 }
 
 #[test]
-fn the_fix_removes_holes() {
+fn fixed_step_factors_remove_holes() {
     let marches = [PARAMETER, POINT, LATE].into_iter().cycle();
     for (scene, march) in STEEP.into_iter().zip(marches) {
         let text = shader(scene, [march, LIGHT]);
@@ -147,7 +147,7 @@ fn the_fix_removes_holes() {
 }
 
 #[test]
-fn a_limit_is_raised_if_more_steps_are_necessary() {
+fn iteration_limits_are_raised_for_shorter_steps() {
     let march = PARAMETER.replace("i < 120", "i < 24");
     let scratch = Scratch::new(&[("a.glsl", &shader(STEEP[2], [&march, LIGHT]))]);
     let found = lint(&scratch, &["--unsafe-fixes"]);
@@ -157,7 +157,7 @@ fn a_limit_is_raised_if_more_steps_are_necessary() {
 }
 
 #[test]
-fn a_limit_with_a_name_is_raised_at_its_definition() {
+fn named_iteration_limits_are_raised_at_their_definition() {
     let named = PARAMETER.replace("i < 120", "i < STEPS");
     let tested = named
         .replace("for (int i = 0", "int i;\n    for (i = 0")
@@ -190,7 +190,7 @@ fn a_limit_with_a_name_is_raised_at_its_definition() {
 }
 
 #[test]
-fn glow_volumes_and_soft_shadows_are_no_holes() {
+fn glow_volumes_and_soft_shadows_are_not_holes() {
     let glow = PARAMETER
         .replace("vec2 march", "float glow;\nvec2 march")
         .replace("t += d;", "t += d; glow += 0.02 / (0.1 + abs(d));");
@@ -223,7 +223,7 @@ fn glow_volumes_and_soft_shadows_are_no_holes() {
 }
 
 #[test]
-fn shadows_may_have_holes() {
+fn holes_in_shadows_are_reported() {
     let hard = "float light(vec3 p) {
         float t = 0.1;
         for (int i = 0; i < 60; i++) {
@@ -247,7 +247,7 @@ fn shadows_may_have_holes() {
 }
 
 #[test]
-fn slopes_have_an_image() {
+fn heatmaps_show_slopes_of_distance_fields() {
     let reds = |scene: &str| {
         let text = shader(scene, [PARAMETER, LIGHT]);
         let scratch = Scratch::new(&[("a.glsl", &text)]);
@@ -294,7 +294,7 @@ const SHORT_STEPS: [&str; 6] = [
 ];
 
 #[test]
-fn steps_are_as_long_as_the_scene_permits() {
+fn unnecessarily_short_steps_are_lengthened() {
     let lint = |scratch: &Scratch| {
         scratch.run(&[&SHORT_STEPS[..], &["--unsafe-fixes"]].concat());
         scratch.read("a.glsl")
@@ -328,7 +328,7 @@ fn steps_are_as_long_as_the_scene_permits() {
 }
 
 #[test]
-fn short_steps_that_a_scene_needs_are_left_alone() {
+fn short_steps_that_the_scene_requires_are_kept() {
     let half = PARAMETER.replace("t += d;", "t += 0.5 * d;");
     let glow = half
         .replace("vec2 march", "float glow;\nvec2 march")

@@ -69,7 +69,7 @@ fn covered<'a>(file: &'a str, region: &Value) -> &'a str {
 }
 
 #[test]
-fn sarif_has_what_its_schema_requires() {
+fn sarif_has_the_required_properties() {
     let log = json(&scratch(), "sarif", &["."]);
     assert_eq!(text(&log, "/version"), "2.1.0");
     assert!(text(&log, "/$schema").ends_with("sarif-2.1.0.json"));
@@ -151,7 +151,7 @@ fn positions_in_exports_are_described_in_words() {
 }
 
 #[test]
-fn an_absolute_path_becomes_relative() {
+fn absolute_paths_become_relative() {
     let scratch = scratch();
     let path = scratch.path("warned.glsl");
     let path = path.to_str().unwrap();
@@ -342,7 +342,7 @@ fn junit_is_xml_and_counts() {
 }
 
 #[test]
-fn checkstyle_is_xml_with_places() {
+fn checkstyle_is_xml_with_positions() {
     let scratch = scratch();
     let hostile = "void mainImage(out vec4 c, in vec2 p) { c = \"<&>'\u{1}\u{ffff}\"; }";
     scratch.write("hostile.glsl", hostile);
@@ -412,7 +412,7 @@ fn positions_in_a_page_are_relative_to_the_page() {
 }
 
 #[test]
-fn statistics_sum_up() {
+fn statistics_count_findings_by_rule() {
     let ran = scratch().run(&["--statistics", "a b", "warned.glsl"]);
     let lines: Vec<&str> = ran.out.lines().collect();
     assert_eq!(

@@ -142,7 +142,7 @@ fn top_level_statements_of_fragments_are_allowed() {
 }
 
 #[test]
-fn a_typo_of_one_letter_is_reported() {
+fn typos_of_one_letter_are_reported() {
     let code = "uniform vec3 lightColour;\nvec3 f(vec3 a) { return a * lightColour + lightColuor * lightColour; }";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     let ran = scratch.run(&["-q", "--format", "short", "a.glsl"]);
@@ -226,7 +226,7 @@ fn hosts_are_identified_by_names_imports_and_packages() {
 
 /// A host whose names are all known.
 #[test]
-fn transitions_are_checked_with_the_names_of_their_host() {
+fn gl_transitions_are_checked_with_the_names_of_their_host() {
     let code = "uniform float softness; // = 0.1\nvec4 transition(vec2 uv) {\n    \
         float shown = smoothstep(uv.x, uv.x + softness, progres * (1.0 + softness));\n    \
         return mix(getFromColor(uv), getToColor(uv), shown) * pow(sin(uv.x), 2.0);\n}\n";
@@ -300,7 +300,7 @@ fn unchecked_names_are_summarised() {
 }
 
 #[test]
-fn only_certain_fixes_are_applied_to_fragments() {
+fn only_context_independent_fixes_are_applied_to_fragments() {
     let code = "uniform bool active;\nfloat f(float x) { return active ? x + 1 : vec2(x).x; }\n";
     let scratch = Scratch::new(&[("a.glsl", code)]);
     scratch.run(&["--fix", "a.glsl"]);

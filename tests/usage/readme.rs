@@ -232,7 +232,7 @@ fn run_fence(place: &Place, fence: &str) -> usize {
 
 #[cfg(unix)]
 #[test]
-fn every_command_runs_in_an_empty_home() {
+fn documented_commands_run_in_an_empty_home() {
     for (path, text) in texts() {
         let place = Place::new();
         let ran = fences(&text, "sh")
@@ -246,7 +246,7 @@ fn every_command_runs_in_an_empty_home() {
 
 #[cfg(unix)]
 #[test]
-fn what_commands_print_is_fresh() {
+fn documented_output_is_up_to_date() {
     let place = Place::new();
     let mut shown = 0;
     for (path, text) in texts() {
@@ -265,7 +265,7 @@ fn what_commands_print_is_fresh() {
 }
 
 #[test]
-fn every_option_and_path_of_the_text_exists() {
+fn documented_options_and_paths_exist() {
     let place = Place::new();
     let (_, lint) = place.run(
         "shaderlint --help; for c in rules reduce run test fmt; do shaderlint $c --help; done",
@@ -296,7 +296,7 @@ fn every_option_and_path_of_the_text_exists() {
 }
 
 #[test]
-fn the_readme_is_short_and_names_every_page() {
+fn the_readme_is_short_and_links_every_page() {
     let texts = texts();
     let (_, readme) = texts.iter().find(|(path, _)| path == "README.md").unwrap();
     let words = readme.split_whitespace().count();
@@ -312,7 +312,7 @@ fn the_readme_is_short_and_names_every_page() {
 
 /// A hook takes its programs from a tag that exists, or the reader is told to name one.
 #[test]
-fn the_hook_names_no_tag_that_does_not_exist() {
+fn the_documented_hook_uses_an_existing_tag() {
     let texts = texts();
     let fences: Vec<&str> = texts.iter().flat_map(|(_, t)| fences(t, "yaml")).collect();
     let revisions = fences.iter().flat_map(|f| f.lines());
@@ -335,7 +335,7 @@ fn the_hook_names_no_tag_that_does_not_exist() {
 /// `packaging/released` says whether packages are published. Until they are, every page that installs
 /// one says so, and the README starts with what works from a clone.
 #[test]
-fn pages_say_whether_packages_are_released() {
+fn pages_state_whether_packages_are_released() {
     const NOTE: &str = "after the first release";
     let read = |path: &str| fs::read_to_string(root().join(path)).unwrap();
     let is_released = match read("packaging/released").trim() {

@@ -176,7 +176,7 @@ fn a_variable_can_be_shown_at_a_line() {
 }
 
 #[test]
-fn places_are_those_of_included_files() {
+fn positions_refer_to_included_files() {
     let scratch = Scratch::new(&[
         (
             "parts/tint.glsl",
@@ -229,7 +229,7 @@ fn heatmaps_have_a_legend() {
 }
 
 #[test]
-fn a_pixel_is_traced_step_by_step() {
+fn pixels_are_traced_step_by_step() {
     let scratch = Scratch::new(&[("m.glsl", MARCH)]);
     let args = ["run", "m.glsl", "--size", "16x9", "--pixel", "2,1"];
     let ran = scratch.run(&args);
@@ -277,7 +277,7 @@ m.glsl: pixel 2,1 of 16x9, 0 s, frame 0
 
 /// The second frame of a buffer that counts, read by the image.
 #[test]
-fn a_pixel_of_a_pass_has_the_frames_before() {
+fn traced_pixels_of_a_pass_see_earlier_frames() {
     let scratch = Scratch::new(&[("counter.json", COUNTER)]);
     for (pass, expected) in [("image", "0.5 0 0 1"), ("buffer_a", "0.5 0 0 2")] {
         let args = [
@@ -388,7 +388,7 @@ fn a_sheet_contains_images_at_several_times() {
 }
 
 #[test]
-fn errors_are_reported_like_the_linter_does_and_nothing_is_drawn() {
+fn shaders_with_errors_are_reported_and_not_drawn() {
     let scratch = Scratch::new(&[("a.frag", &RAMP.replace("gain *", "gian *"))]);
     let ran = scratch.run(&["run", "a.frag", "-o", "a.png"]);
     assert_eq!(ran.code, 1);

@@ -152,7 +152,7 @@ fn the_exit_code_has_a_threshold() {
 }
 
 #[test]
-fn a_rule_can_fail_the_run() {
+fn rules_can_be_configured_to_fail_the_run() {
     let scratch = Scratch::new(&[("a.glsl", WARNED)]);
     let run = |config: &str| {
         scratch.write("shaderlint.toml", config);
@@ -192,7 +192,7 @@ fn a_rule_can_fail_the_run() {
 }
 
 #[test]
-fn the_more_specific_word_holds() {
+fn the_more_specific_selection_applies() {
     let scratch = Scratch::new(&[("a.glsl", WARNED)]);
     let found = |args: &[&str]| scratch.places(&[args, &["a.glsl"]].concat());
     let pow = ["2:22 pow-negative-base"];

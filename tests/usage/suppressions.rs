@@ -38,7 +38,7 @@ fn a_comment_on_its_own_line_applies_to_the_next_statement() {
 }
 
 #[test]
-fn a_rule_can_be_allowed_for_a_file() {
+fn rules_can_be_allowed_for_a_file() {
     let file = format!("{POW}\n// shaderlint: allow-file(pow-negative-base) measured\n{POW}");
     assert_eq!(found(&file), [""; 0]);
 }

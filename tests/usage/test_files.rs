@@ -107,7 +107,7 @@ fn benchmarks_count_operations() {
 }
 
 #[test]
-fn textures_and_buffers_are_given_by_name() {
+fn textures_and_buffers_are_bound_by_name() {
     let gradient = "void mainImage(out vec4 c, in vec2 p) { c = vec4(floor(p) / 4.0, 0.0, 1.0); }";
     let looks = "uniform sampler2D noise;\nvec4 look(vec2 p) { return texture(noise, p); }\n";
     let tests = "// texture: noise = media/steps.png,nearest\n\
@@ -222,7 +222,7 @@ impl Drop for Watched {
 }
 
 #[test]
-fn a_change_runs_the_tests_that_it_touches() {
+fn changed_files_run_the_tests_that_include_them() {
     let lib = "float one() { return 1.0; }\n";
     let uses = "#include \"lib.glsl\"\nbool test_one() { return one() == 1.0; }\n";
     let other = "bool test_other() { return true; }\n";

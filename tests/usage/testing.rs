@@ -170,7 +170,7 @@ fn complete_shaders_are_tested_with_the_uniforms_of_their_host() {
 }
 
 #[test]
-fn golden_images_are_blessed_and_compared_perceptually() {
+fn golden_images_are_accepted_and_compared_perceptually() {
     let scratch = Scratch::new(&[("wave.glsl", &wave("0.5"))]);
     let ran = scratch.run(&["test"]);
     assert_eq!(ran.code, 2, "{}", ran.out);

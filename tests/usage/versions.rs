@@ -31,7 +31,7 @@ fn both_stages_are_converted() {
 }
 
 #[test]
-fn no_stage_is_converted_without_the_other() {
+fn stages_are_converted_together_or_not_at_all() {
     let tested = format!("#if __VERSION__ == 100\n#endif\n{FRAGMENT}");
     for (vertex, fragment) in [
         (VERTEX, &*tested),
@@ -52,7 +52,7 @@ fn no_stage_is_converted_without_the_other() {
 
 /// The file of the other stage is not changed if it is not named.
 #[test]
-fn a_stage_that_is_left_is_reported() {
+fn stages_that_were_not_converted_are_reported() {
     let scratch = pair(VERTEX, FRAGMENT);
     let ran = scratch.run(&["--fix", "a.frag"]);
     assert_eq!(scratch.read("a.vert"), VERTEX);
@@ -74,7 +74,7 @@ fn a_stage_that_is_left_is_reported() {
 }
 
 #[test]
-fn pages_are_converted() {
+fn both_stages_of_a_page_are_converted() {
     let page = |vertex: &str, fragment: &str, context: &str| {
         format!(
             "<script id=\"v\" type=\"x-shader/x-vertex\">{vertex}</script>\n\
@@ -99,7 +99,7 @@ fn pages_are_converted() {
 
 /// A string in one line takes no `#version`, so that the other stage keeps its version too.
 #[test]
-fn strings_in_one_line_are_left() {
+fn strings_on_one_line_are_not_converted() {
     let line = "attribute vec3 at; void main() { gl_Position = vec4(at, 1.0); }";
     let script = format!(
         "const v = \"{line}\";\nconst f = `{FRAGMENT}`;\n\
@@ -123,7 +123,7 @@ fn strings_in_one_line_are_left() {
 
 /// A varying that hides a lookup function of one stage has no new name in the other.
 #[test]
-fn a_varying_keeps_its_name_in_both_stages() {
+fn varyings_keep_the_same_name_in_both_stages() {
     let vertex = VERTEX.replace("uv", "texture");
     let fragment = FRAGMENT.replace("uv", "texture");
     let scratch = pair(&vertex, &fragment);
@@ -133,7 +133,7 @@ fn a_varying_keeps_its_name_in_both_stages() {
 }
 
 #[test]
-fn other_names_are_for_a_person() {
+fn conversions_that_rename_are_not_applied() {
     let text = FRAGMENT.replace("image", "texture");
     let scratch = Scratch::new(&[("shaderlint.toml", TARGET), ("a.frag", &text)]);
     let ran = scratch.run(&["--fix", "a.frag"]);
@@ -151,7 +151,7 @@ fn other_names_are_for_a_person() {
 }
 
 #[test]
-fn only_where_it_is_set() {
+fn conversion_requires_a_target_version() {
     let overridden =
         format!("{TARGET}[[overrides]]\npaths = [\"old\"]\ntarget-version = \"any\"\n");
     for config in ["", &overridden] {

@@ -108,21 +108,21 @@ function stepped(ask, shaderlint, [file, text, options]) {
 }
 
 for (const [name, address] of Object.entries(MODULES)) {
-  test(`${name}: mistakes`, async () => {
+  test(`${name}: findings in shaders with mistakes equal those of the program`, async () => {
     compare(await Shaderlint.load(address), path.join(ROOT, "corpus/mistakes"), [".glsl", ".frag"]);
   });
 
-  test(`${name}: templates`, async () => {
+  test(`${name}: findings in templates equal those of the program`, async () => {
     const folder = path.join(ROOT, "corpus/templates");
     compare(await Shaderlint.load(address), folder, [".glsl", ".json"]);
   });
 
   const cases = process.env.SHADERLINT_CASES;
-  test(`${name}: exports`, { skip: !cases && "SHADERLINT_CASES is not set" }, async () => {
+  test(`${name}: findings in exports equal those of the program`, { skip: !cases && "SHADERLINT_CASES is not set" }, async () => {
     compare(await Shaderlint.load(address), path.join(cases, "shadertoy"), [".json"]);
   });
 
-  test(`${name}: text for people, fixes, formatting, pages`, async () => {
+  test(`${name}: reports, fixes, formatting and rule pages equal those of the program`, async () => {
     const shaderlint = await Shaderlint.load(address);
     const file = "corpus/mistakes/define_with_semicolon.glsl";
     const text = fs.readFileSync(path.join(ROOT, file), "utf8");
@@ -135,7 +135,7 @@ for (const [name, address] of Object.entries(MODULES)) {
     assert.throws(() => shaderlint.explain("sqrt-nagative"), /did you mean `sqrt-negative`/);
   });
 
-  test(`${name}: images, statistics and traces`, { skip: name !== "port" && "another module does" }, async () => {
+  test(`${name}: images, statistics and traces equal those of the program`, { skip: name !== "port" && "another module does" }, async () => {
     const shaderlint = await Shaderlint.load(address);
     const folder = path.join(ROOT, "corpus/templates");
     const names = fs.readdirSync(folder).filter((file) => file.endsWith(".glsl"));
@@ -160,7 +160,7 @@ for (const [name, address] of Object.entries(MODULES)) {
     assert.throws(() => shaderlint.run(plain, { size: [1 << 20, 9] }), /at most 4194304 pixels/);
   });
 
-  test(`${name}: the debugger`, { skip: name !== "port" && "another module does" }, async () => {
+  test(`${name}: the debugger steps through a shader`, { skip: name !== "port" && "another module does" }, async () => {
     const shaderlint = await Shaderlint.load(address);
     const file = "raymarching.glsl";
     const text = fs.readFileSync(path.join(ROOT, "corpus/templates", file), "utf8");
@@ -190,7 +190,7 @@ for (const [name, address] of Object.entries(MODULES)) {
     assert.throws(() => ask("threads"), /no program is running/);
   });
 
-  test(`${name}: the debugger of passes`, { skip: name !== "port" && "another module does" }, async () => {
+  test(`${name}: the debugger draws the passes that a channel reads`, { skip: name !== "port" && "another module does" }, async () => {
     const ask = client(await Shaderlint.load(address));
     const passes = {
       "buffer_a.glsl": "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(0.25);\n}\n",
@@ -207,7 +207,7 @@ for (const [name, address] of Object.entries(MODULES)) {
     assert.equal(ask("stackTrace").body.stackFrames[0].source.path, "buffer_a.glsl");
   });
 
-  test(`${name}: texts that nest deeply are answered`, async () => {
+  test(`${name}: deeply nested texts do not crash the module`, async () => {
     const shaderlint = await Shaderlint.load(address);
     const of = (open, close) => {
       const nested = `${open.repeat(20_000)}1.0${close.repeat(20_000)}`;

@@ -86,7 +86,7 @@ const DARK = `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
 const URI = "file:///image.glsl";
 const rules = (message) => message.params.diagnostics.map((d) => d.code);
 
-test("errors come at once, findings of runs after a pause", async (t) => {
+test("errors arrive immediately and sampling results after a pause", async (t) => {
   const { create } = workers();
   const client = await Client.start({ worker: create, pause: 1 });
   t.after(() => client.close());
@@ -103,7 +103,7 @@ test("errors come at once, findings of runs after a pause", async (t) => {
   assert.ok(rules(third).includes("vector-size"), rules(third).join());
 });
 
-test("a worker that is busy with a run is replaced", async (t) => {
+test("a worker that is busy with a sample run is replaced", async (t) => {
   const { create } = workers();
   let busy;
   const isBusy = new Promise((resolve) => (busy = resolve));

@@ -47,7 +47,7 @@ mod tests {
     use crate::engine::config::parse;
 
     #[test]
-    fn the_configuration_is_valid() {
+    fn the_generated_configuration_is_valid() {
         assert!(parse(TEXT).is_ok());
     }
 }

@@ -124,14 +124,14 @@ mod tests {
     }
 
     #[test]
-    fn a_long_line_is_cut_between_characters() {
+    fn long_lines_are_cut_at_character_boundaries() {
         let short = shortened(&"é".repeat(1000), 201);
         assert_eq!(short.matches('é').count(), 100);
         assert!(short.contains("[1800 bytes omitted]"), "{short}");
     }
 
     #[test]
-    fn no_answer_is_empty() {
+    fn answers_are_never_empty() {
         for answer in [ToolAnswer::of(" \n", "nothing"), ToolAnswer::failed("")] {
             assert_eq!(answer.blocks.len(), 1);
             let text = answer.blocks[0].as_text().map(|t| t.text.as_str());

@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn the_file_of_a_folder_of_passes_is_only_theirs() {
+    fn shaders_in_a_folder_of_passes_have_their_own_channel_files() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         let file = |name: &str| file_of(Some(&path(name))).unwrap();
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn channels_are_read_from_the_file_beside_the_code() {
+    fn channels_are_parsed_with_their_pass() {
         let all = read(
             "2 = 'photo.jpg,nearest' # of the Image\n[buffer_a]\n0 = 'buffer_a'\n\
              [image]\n1 = 'keyboard'\n",
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_in_the_file_have_a_place() {
+    fn errors_in_a_channel_file_have_a_position() {
         let wrong = |text: &str, message: &str| {
             let found = read(text).unwrap_err();
             assert!(found.contains(message), "{found}");

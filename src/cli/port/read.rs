@@ -229,7 +229,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_are_read_and_shown() {
+    fn byte_sizes_are_parsed_and_printed() {
         assert_eq!(size_of("64M"), Ok(64 * MIB));
         assert_eq!(size_of("1.5 GiB"), Ok(1536 * MIB));
         assert_eq!(size_of("12"), Ok(12));
@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn marks_of_encodings_are_no_code() {
+    fn byte_order_marks_are_removed() {
         let all: [&[u8]; 4] = [
             b"ab",
             b"\xef\xbb\xbfab",

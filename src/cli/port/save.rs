@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_file_is_not_two() {
+    fn two_outputs_with_the_same_path_are_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.wgsl");
         let file = |content: &str| File {
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn titles_are_names_of_files() {
+    fn titles_become_valid_file_names() {
         assert_eq!(file_name("Sea, deep/../blue"), "Sea_deep_blue");
         assert_eq!(file_name("../"), "shader");
         assert_eq!(file_name(&"a".repeat(99)).len(), 60);

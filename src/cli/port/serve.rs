@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_page_is_served_and_only_to_this_machine() {
+    fn only_the_page_is_served_and_only_to_localhost() {
         let server = PageServer::open(0).unwrap();
         assert!(server.is_empty());
         server.show("1", b"hello".to_vec());
@@ -263,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn a_browser_that_comes_before_the_first_page_gets_it() {
+    fn a_request_before_the_first_page_waits_for_it() {
         let server = PageServer::open(0).unwrap();
         let mut stream = TcpStream::connect(server.address).unwrap();
         let head = format!("GET / HTTP/1.1\r\nHost: {}\r\n\r\n", server.address);
@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_hears_of_the_next() {
+    fn an_open_page_is_notified_of_the_next_version() {
         let server = PageServer::open(0).unwrap();
         server.show("1", Vec::new());
         let mut stream = TcpStream::connect(server.address).unwrap();

@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn only_texts_of_the_folder_are_read() {
+    fn files_outside_of_the_folder_are_not_read() {
         let folder = tempfile::tempdir().unwrap();
         fs::create_dir_all(folder.path().join("in/deep")).unwrap();
         fs::write(

@@ -190,7 +190,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_budget_counts_all_pixels() {
+    fn the_cost_of_a_still_image_grows_with_its_pixels() {
         let cost = StillCost {
             per_pixel: 3.9e5,
             fixed: 1e9,

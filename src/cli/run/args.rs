@@ -280,7 +280,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_places_and_times() {
+    fn invalid_sizes_positions_and_times_are_refused() {
         assert_eq!(size_of("640x360"), Ok([640, 360]));
         assert!(size_of("0x3").is_err() && size_of("640").is_err());
         assert!(size_of("16384x16384").is_err() && size_of("99999x1").is_err());

@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_is_read_again() {
+    fn a_written_png_is_read_back_unchanged() {
         let mut bitmap = Bitmap::filled([3, 2], [1, 2, 3]);
         bitmap.set(2, 1, [250, 0, 9]);
         bitmap.set(3, 0, [9; 3]);

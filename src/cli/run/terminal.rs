@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn two_pixels_are_a_character() {
+    fn one_character_shows_two_pixels() {
         let two = bitmap(&[[1, 2, 3], [1, 2, 3], [4, 5, 6], [4, 5, 6]], 2);
         let text = draw(&two, Palette::True);
         assert_eq!(text, "\x1b[38;2;1;2;3;48;2;4;5;6m▀▀\x1b[0m\n");
@@ -186,13 +186,13 @@ mod tests {
     }
 
     #[test]
-    fn without_colours_there_is_light() {
+    fn terminals_without_colours_show_brightness() {
         let ramp = bitmap(&[[0; 3], [127; 3], [255; 3], [0; 3], [127; 3], [255; 3]], 3);
         assert_eq!(draw(&ramp, Palette::Mono), " =@\n");
     }
 
     #[test]
-    fn the_environment_selects_the_palette() {
+    fn environment_variables_select_the_palette() {
         let with = |all: &'static [(&'static str, &'static str)]| {
             Palette::of(move |name| {
                 let found = all.iter().find(|(n, _)| *n == name);
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_fits_and_is_never_made_larger() {
+    fn images_are_shrunk_to_fit_and_never_enlarged() {
         assert_eq!(fit([640, 360], 80, 40), [80, 45]);
         assert_eq!(fit([640, 360], 200, 20), [71, 40]);
         assert_eq!(fit([1, 1], 80, 40), [1, 1]);

@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn colours_have_the_numbers_that_are_published() {
+    fn oklab_colours_have_the_published_values() {
         let near = |color: [u8; 3], expected: [f64; 3]| {
             let found = oklab(color);
             let gaps = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn the_least_steps_of_the_screen_are_not_seen() {
+    fn differences_of_one_step_are_invisible() {
         let mut image = Bitmap::filled([4, 2], [100, 150, 200]);
         let other = Bitmap::filled([4, 2], [101, 149, 201]);
         let (found, _) = difference(&image, &other);

@@ -321,7 +321,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shaders_state_what_is_drawn() {
+    fn golden_comments_set_sizes_and_times() {
         let rest = |text: &str| wish(&format!("void f() {{}}\n  {text}\n"));
         let some = |size, times: Option<&[f64]>| {
             let times = times.map(<[f64]>::to_vec);
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn images_stand_next_to_their_shaders() {
+    fn golden_images_are_next_to_their_shaders() {
         let paths = |times: &[f64]| {
             let all = goldens(Path::new("a/sea.frag"), times);
             all.into_iter().map(|g| shown(&g.path)).collect::<Vec<_>>()

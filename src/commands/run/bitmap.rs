@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_smaller_image_has_the_same_light() {
+    fn shrinking_preserves_brightness() {
         let mut bitmap = Bitmap::filled([4, 2], [0; 3]);
         bitmap.set(0, 0, [255; 3]);
         let small = bitmap.shrunk([2, 1]);

@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn verdicts_for_people() {
+    fn distance_fields_are_summarised_in_text() {
         let steep = SteepRow {
             slope: 1.834,
             points: [[0.0, 1.0, 2.0], [0.0, 1.0, 2.01]],

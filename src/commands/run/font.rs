@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_number_is_written() {
+    fn digits_are_drawn_as_pixels() {
         let mut image = Bitmap::filled([7, 5], [0; 3]);
         write(&mut image, "17", [0, 0], 1, [255; 3]);
         let row = |y| (0..7).map(move |x| (x, y));

@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ramp_goes_from_dark_to_bright() {
+    fn the_colour_ramp_gets_steadily_brighter() {
         assert_eq!((color(0.0), color(1.0)), (RAMP[0], RAMP[5]));
         let light = |share| color(share).iter().map(|n| u32::from(*n)).sum::<u32>();
         let all: Vec<u32> = (0..=20).map(|i| light(f64::from(i) / 20.0)).collect();
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn the_lowest_row_is_below_and_a_legend_under_it() {
+    fn heatmaps_have_their_first_row_at_the_bottom_above_the_legend() {
         let image = map([1, 2], &[0.0, 4.0], "STEPS");
         assert_eq!(image.size, [1, 2]);
         assert_eq!((image.pixel(0, 0), image.pixel(0, 1)), (RAMP[5], RAMP[0]));
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_short() {
+    fn numbers_in_the_legend_are_abbreviated() {
         let all = [0.0, 96.0, 9_999.0, 12_345.0, 2.5e7, 0.125, 31.25].map(short);
         assert_eq!(all, ["0", "96", "9999", "12K", "25M", "0.125", "31.2"]);
     }

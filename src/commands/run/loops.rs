@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quantiles_of_a_histogram() {
+    fn quantiles_of_a_histogram_are_computed() {
         let mut histogram = vec![0; 10];
         histogram[2] = 98;
         histogram[5] = 1;
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_has_straight_columns() {
+    fn table_columns_are_aligned() {
         let row = LoopRow {
             at: "a.glsl:4:5".to_string(),
             function: "map".to_string(),

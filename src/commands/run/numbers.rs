@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_went_wrong_stands_with_its_numbers() {
+    fn faults_are_printed_with_their_operands() {
         let row = NumberRow {
             at: "a.glsl:4:5".to_string(),
             text: "pow(q, 2.0)".to_string(),
@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn long_operations_are_cut() {
+    fn long_operations_are_truncated() {
         let text = "a".repeat(41);
         assert_eq!(short(&text), format!("{}...", "a".repeat(37)));
         assert_eq!(short("b"), "b");

@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_the_digits_that_they_need() {
+    fn floats_are_printed_with_the_fewest_digits_that_identify_them() {
         let all = [
             0.1_f32,
             -0.0,

@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_truths_and_arrays() {
+    fn numbers_booleans_and_arrays_are_read() {
         check("{}", &[]);
         check(
             r#"{"a": 1.5, "b": true, "c": [1, -2e3], "d": [[1, 0], [0, 1]], "e": [true, false]}"#,
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn members_of_structs() {
+    fn members_of_structs_are_read() {
         check(
             r#"{"lights": [{"at": [0, 1, 2]}, {"at": [3, 4, 5], "on": false}], "fog.far": 9}"#,
             &[
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_none_is_reported_with_its_place() {
+    fn invalid_uniforms_are_reported_with_their_position() {
         refuse("[1]", (1, 1), "expected an object of uniforms");
         refuse("{\n  \"a\": \"x\"\n}", (2, 8), "`a`: expected a number");
         refuse("{\n  \"a\": [1, null]\n}", (2, 8), "`a`: expected a number");

@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn scripts_and_literals_are_read_and_nothing_else() {
+    fn only_scripts_and_literals_of_components_are_read() {
         let text = "---\nconst a = `#version 300 es\n1`;\n---\n<p>don't void main() {}</p>\
             <script lang=\"ts\">const b = `#version 300 es\n2`;</script>\
             <div x={/* glsl */ `3`} />";

@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn constants_have_values() {
+    fn constants_initialised_with_literals_have_values() {
         check("const A = 7.0;", "7");
         check("const A = 1e3;", "1000");
         check("const A = 'highp';", "highp");

@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_files_speak() {
+    fn file_names_indicate_shaders() {
         let all = [
             "a/blur.frag.js",
             "BlurShader.ts",
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn scripts_show_what_their_literals_are() {
+    fn the_code_around_a_literal_shows_whether_it_is_glsl() {
         check("glsl`x`", "introduced");
         check("/* glsl */ `x`", "introduced");
         check("// language=GLSL\n`x`", "introduced");

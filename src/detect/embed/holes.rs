@@ -343,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn one_expression_is_one_word() {
+    fn the_same_expression_gets_the_same_placeholder() {
         check(
             "float ${a}; vec3 ${b}; ${a} = 1.;",
             "float hhhh; vec3 hhh1; hhhh = 1.;",
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn libraries_write_more_than_glsl() {
+    fn syntax_added_by_libraries_is_blanked() {
         check("uniform float a : 1.0;", "uniform float a      ;");
         check(
             "uniform U { vec4 a: [1.0, 0]; float b : .5; };",
@@ -373,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fits_depends_on_the_place() {
+    fn placeholders_depend_on_their_position() {
         check("a;\n${b}\nc;", "a;\n    \nc;");
         check("a; ${b} vec3 c;", "a;      vec3 c;");
         check("${a}in vec2 b;", "    in vec2 b;");

@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_hold_shaders_and_scripts() {
+    fn shaders_are_found_in_elements_and_scripts() {
         let text = "<!-- <script type='x-shader/x-fragment'>no</script> -->\
             <SCRIPT id=\"a>b\" type=\"x-shader/x-vertex\">\nvoid f() {}</script>\
             <script>x = `#version 300 es\nvoid main() {}`;</script>\
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_trims_is_believed() {
+    fn leading_newlines_are_dropped_if_the_page_trims_them() {
         let text = "<script type='x-shader/x-fragment'>\n#version 300 es\n</script>\
             <script>s(document.querySelector('script').textContent.trim())</script>";
         assert!(found(text)[0].code.starts_with("#version"));

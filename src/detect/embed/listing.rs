@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn entities_keep_their_place() {
+    fn decoded_entities_keep_their_width() {
         check(
             "<pre class='language-glsl'>a&lt;b&amp;&amp;c&gt;=d;</pre>",
             "a   <b        &&c   >=d;",
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_that_say_or_show_glsl() {
+    fn glsl_elements_are_found_by_class_or_content() {
         check(
             "<textarea>void main() { gl_FragColor = vec4(1 &lt; 2); }</textarea>",
             "void main() { gl_FragColor = vec4(1    < 2); }",

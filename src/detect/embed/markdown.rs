@@ -193,19 +193,19 @@ mod tests {
     }
 
     #[test]
-    fn fences_are_distinguished() {
+    fn only_fences_with_glsl_are_read() {
         let text = "```glsl\na\n```\n\n```\nvec3 c = vec2(1);\n```\n```python\nvec3 = vec2\n```\n~~~c\nint main() {}\n~~~\n";
         assert_eq!(codes(text), ["a\n", "vec3 c = vec2(1);\n"]);
     }
 
     #[test]
-    fn quoted_and_open_fences() {
+    fn quoted_and_unclosed_fences_are_read() {
         assert_eq!(codes("> ```glsl\n> x ... y\n> ```\n"), ["  x     y\n"]);
         assert_eq!(codes("````glsl\n```\nx\n"), ["```\nx\n"]);
     }
 
     #[test]
-    fn changes_are_read_as_what_they_leave() {
+    fn diffs_are_read_as_the_code_after_the_change() {
         assert_eq!(
             codes("```diff\n vec3 a;\n-vec3 b = vec3(1);\n+vec3 c = vec3(1);\n```\n"),
             [" vec3 a;\n                  \n vec3 c = vec3(1);\n"]
@@ -218,14 +218,14 @@ mod tests {
     }
 
     #[test]
-    fn fences_with_templates_have_holes() {
+    fn template_expressions_in_fences_are_holes() {
         let mut found = Vec::new();
         extract("```glsl\nfloat a = {{ b }};\n```\n", 0, &mut found);
         assert!(found[0].has_holes && found[0].code == "float a = hhhhhhh;\n");
     }
 
     #[test]
-    fn scripts_in_fences() {
+    fn shaders_in_script_fences_are_read() {
         let text = "```js\nconst a = `#version 300 es\nx\n`;\n```\n```glsl\nconst b = `#version 300 es\nx\n`;\n```\n";
         assert_eq!(
             codes(text),

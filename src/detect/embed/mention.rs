@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn inputs_are_set_by_name() {
+    fn names_of_inputs_are_found_in_scripts() {
         let input = |text| check(NameRole::Input, text);
         input("const name = gl.getUniformLocation(p, '<name>'); use(name); // name");
         input("gl.getUniformLocation(p, `<name>[0].color`); a['names']; 'name this';");
@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn texts_of_shaders_are_edited() {
+    fn names_in_edited_shader_texts_are_found() {
         let inner = |text| check(NameRole::Inner, text);
         inner("s.replace('<name>', 'x').replaceAll(/\\b<name>\\b/g, `<name> * 2.0`);");
         inner("const part = 'float name2 = ?name?(1.0);'; log('name'); a.name = 1;");

@@ -64,7 +64,7 @@ mod tests {
     use shaderlint_text::{Edit, Span};
 
     #[test]
-    fn edits_stay_inside_the_shader() {
+    fn edits_outside_of_the_shader_are_refused() {
         let text = "x = \"void main() {\\n}\";";
         let found = extract(DocumentLanguage::Script, text);
         let shader = &found[0];
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn a_host_says_what_it_is() {
+    fn requested_contexts_show_the_webgl_version() {
         assert!(Embedder::of("c.getContext('webgl')").is_webgl1);
         assert!(!Embedder::of("c.getContext('webgl2') || c.getContext('webgl')").is_webgl1);
         assert!(!Embedder::of("c.getContext('2d')").is_webgl1);

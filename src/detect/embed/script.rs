@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn literals_that_are_shaders() {
+    fn literals_with_shaders_are_found() {
         check(
             "const a = `#version 300 es\nx`, b = 'void 0';",
             &["#version 300 es\nx"],
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn literals_that_are_put_together() {
+    fn concatenated_literals_are_joined() {
         check(
             "s = 'void main() {\\n' +\n 'x;' + // it's\n '}';",
             &["void main() {\n       x;              }"],
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn escapes_keep_their_length() {
+    fn decoded_escapes_keep_their_width() {
         check(
             r"s = 'void main() { \
 }\t\x41\\\n';",
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_put_in_is_known_or_a_hole() {
+    fn interpolated_constants_are_inserted_and_other_values_are_holes() {
         let holes = |text: &str| {
             let mut found = Vec::new();
             extract(text, 0, false, &mut found);
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_shader_is_left() {
+    fn literals_without_shaders_are_skipped() {
         check("s.replace('void main() {', 'void main() {\\n x;')", &[]);
         check("if (s === '#version 300 es') {}", &[]);
         check("s = '#version 300 es\\n' + x;", &[]);
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_program_cuts_off_is_cut_off() {
+    fn text_that_the_script_trims_is_trimmed() {
         check("s = `\n#version 300 es\nx`.trim()", &["#version 300 es\nx"]);
         check(
             "s = `\n#version 300 es\nx`.slice(1)",

@@ -395,7 +395,7 @@ mod tests {
     }
 
     #[test]
-    fn templates_put_something_in() {
+    fn template_syntaxes_are_recognised() {
         check("${a + {b}} $cd$ $e", "${a + {b}}=a + {b} | $cd$=cd | $e=e");
         check(
             "{{ a.b }} {{{c}}} {{#if d}} {{> e}}",
@@ -421,7 +421,7 @@ mod tests {
     }
 
     #[test]
-    fn what_can_be_glsl_is_none() {
+    fn valid_glsl_is_not_a_template() {
         check("x = a %b; y = (a)%s; a[1]%s; c = a%b%c; x %= s;", "");
         check(
             "void f() {{ x = 1.; }} void g() {A} if (a) {B} else {C} do {D} while (e);",

@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn shaders_are_named_together() {
+    fn shaders_used_by_the_same_call_are_paired() {
         check(
             "const v = `void main() { a; }`; const f = \"void main() { b; }\"; link(gl, v, f);",
             "a+b",
@@ -331,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn uniforms_are_asked_for() {
+    fn queried_uniforms_are_found() {
         let text = "m({ uniforms: { uA: { value: x ? y : z }, 'uB': b, ...c } });\
             a = gl.getUniformLocation(p[1], \"uTime\"); gl.getUniformLocation(p, name);\
             gl.getUniformLocation(p, 'uLight[0].color'); gl.getUniformLocation(p, 'u' + i);";

@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn literals_end_where_they_end() {
+    fn ends_of_literals_are_found() {
         assert_eq!(literals(r#"a = 'b\'c' + "d""#), [r"b\'c", "d"]);
         assert_eq!(
             literals("`a${f(`x${1}`, {b: '}'})}c` + `d`"),
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn holes_are_known() {
+    fn holes_of_templates_are_found() {
         let found = tokens("`a${b}c${`${d}`}`");
         assert_eq!(found[0].kind, ScriptTokenKind::Template(vec![2..6, 7..16]));
     }

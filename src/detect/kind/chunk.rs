@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_distinguished() {
+    fn shader_fragments_are_distinguished_from_other_code() {
         check("vec3 f(vec2 p) { return vec3(p, 1.); }", Chunk::Clear);
         check("#define A 1\nuniform vec3 a;\n", Chunk::Likely);
         check("float f(float p) { return p; }", Chunk::Likely);
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn directives_alone_are_bare() {
+    fn texts_with_directives_only_are_bare() {
         let is_bare = |text| Scanned::of(text).is_bare();
         assert!(is_bare("#version 300 es\n// x\n#define A \\\n 1\n"));
         assert!(is_bare(""));

@@ -296,7 +296,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_for_glsl_are_glsl_if_the_dialect_is_given() {
+    fn files_with_a_glsl_extension_are_glsl_if_the_dialect_is_given() {
         for text in [
             "{} void main() {}",
             "[] float a;",
@@ -326,7 +326,7 @@ mod tests {
     const GLSL: &str = "uniform vec2 size;\nvoid main() { gl_FragColor = vec4(size, 0, 1) }";
 
     #[test]
-    fn names_are_believed_unless_the_text_is_clearly_something_else() {
+    fn the_extension_decides_unless_the_text_is_clearly_another_language() {
         check("a.glsl", GLSL, "shader: the extension indicates GLSL");
         check(
             "a.FRAG",
@@ -368,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_do_not_make_another_language() {
+    fn glsl_with_mistakes_is_still_glsl() {
         for mistake in [
             "let x = 1.0;\nvar y = 2;\nprint(x);",
             "float3 c = lerp(a, b, saturate(t));",
@@ -387,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_say_nothing_want_a_text_beyond_doubt() {
+    fn files_with_other_extensions_are_glsl_only_if_the_text_clearly_is() {
         check("a", GLSL, "shader: the content is GLSL");
         check("a.txt", GLSL, "shader: the content is GLSL");
         check("a.inc", "#version 300 es\n", "shader: the content is GLSL");
@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn programs_take_shaders_out_of_texts() {
+    fn directives_of_shader_bundles_are_recognised() {
         assert_eq!(
             own_directive("@export a.b\nvoid main() {}\n@end"),
             Some("@export")
@@ -422,7 +422,7 @@ mod tests {
     }
 
     #[test]
-    fn other_shading_languages_are_known() {
+    fn other_shading_languages_are_recognised() {
         let vulkan = "layout(set = 0, binding = 1) uniform sampler2D t;\nvoid main() {}\n";
         for (name, text, reason) in [
             (
@@ -558,7 +558,7 @@ mod tests {
     ];
 
     #[test]
-    fn shaders_of_engines_are_known() {
+    fn shaders_of_engines_are_recognised() {
         for (language, sign, text) in ENGINES {
             let decision = decide("a.glsl", text, Claim::None);
             assert_eq!(decision.kind, FileKind::Foreign(*language), "{text}");
@@ -568,7 +568,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_and_strings_about_engines_are_no_evidence() {
+    fn engine_names_in_comments_and_strings_are_ignored() {
         for (_, _, text) in ENGINES {
             let comment: String = text.lines().map(|l| format!("// {l}\n")).collect();
             let block = format!("/*\n{}*/\n", text.replace("/*", "").replace("*/", ""));
@@ -582,7 +582,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_engines_that_a_text_defines_are_its_own() {
+    fn engine_names_that_the_shader_declares_are_ignored() {
         for own in [
             "#define TDOutputSwizzle(c) (c)\nvec4 f(vec4 c) { return TDOutputSwizzle(c); }",
             "vec4 TDOutputSwizzle(vec4 c) { return c; }",
@@ -599,7 +599,7 @@ mod tests {
     }
 
     #[test]
-    fn shaders_in_literals_are_distinguished_from_other_programs() {
+    fn shaders_are_distinguished_from_other_programs() {
         let is_shader = |text| Scanned::of(text).is_shader();
         assert!(is_shader("void main() {}"));
         assert!(is_shader("\n#version 300 es\n"));

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn strings_and_comments_are_passed_over() {
+    fn strings_and_comments_are_skipped() {
         check("a // b\nc /* d\n */ e", &["a", "c", "e"]);
         check(
             "x = 'it\\'s' + \"y\" + `z\n`;",

@@ -8,7 +8,7 @@ pub use layer::{Adjustment, Config, Layer};
 #[cfg(feature = "cli")]
 pub use read::{ConfigError, parse, schema};
 
-use super::options::{DialectChoice, Options};
+use crate::options::{DialectChoice, Options};
 use shaderlint_format::StyleChoice;
 use shaderlint_host::Preset;
 use shaderlint_lint::sample::SampleLimit;

@@ -1,8 +1,8 @@
 //! ShaderToy passes in separate files: the Common file of a folder is included before the others.
 
-use super::super::check_context::CheckContext;
-use super::super::options::{DialectChoice, Options};
-use super::passes::{Passes, role};
+use crate::check_context::CheckContext;
+use crate::files::passes::{Passes, role};
+use crate::options::{DialectChoice, Options};
 use shaderlint_port::PassRole;
 use shaderlint_semantic::{GuessedKind, Pass, guess};
 use std::path::{Path, PathBuf};

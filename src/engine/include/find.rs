@@ -1,9 +1,9 @@
 //! Resolves the files that a shader includes.
 
-use super::super::check_context::CheckContext;
-use super::super::files::{FileType, Files};
-use super::super::options::Includes;
-use super::scan::{IncludedFile, Manner, RequestedFile};
+use crate::check_context::CheckContext;
+use crate::files::scan::{IncludedFile, Manner, RequestedFile};
+use crate::files::{FileType, Files};
+use crate::options::Includes;
 use shaderlint_text::path::{plain, slashed, tidy};
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -5,18 +5,16 @@ mod common;
 mod find;
 mod module;
 mod moved;
-pub(super) mod passes;
-pub(super) mod scan;
 mod subject;
 
 pub use common::is_common;
 pub use find::Absence;
 pub use moved::{FileMoves, moved_includes};
 
-use super::check_context::CheckContext;
+use crate::check_context::CheckContext;
+use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
-use scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_host::is_provided;
 use shaderlint_text::path::{slashed, tidy};
@@ -94,7 +92,7 @@ impl Hushed {
 
 /// Includes the files that directives name, the Common file of a ShaderToy project before its
 /// passes, and the tested file before its tests.
-pub(super) fn spread(
+pub fn spread(
     sources: &mut Arc<Sources>,
     name: &str,
     file: FileId,

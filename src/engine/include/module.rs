@@ -1,9 +1,9 @@
 //! glslify modules. Each has its own namespace: names that it declares get a numbered suffix, as in
 //! glslify, and its export gets the name under which it is required.
 
-use super::super::check_context::CheckContext;
 use super::find::{Absent, FoundFile};
-use super::scan::{Form, IncludeDirective};
+use crate::check_context::CheckContext;
+use crate::files::scan::{Form, IncludeDirective};
 use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -285,7 +285,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_module_owns_what_it_declares_at_its_top() {
+    fn top_level_declarations_of_a_module_are_private() {
         let text = "precision highp float;\nuniform float time;\nvarying vec2 uv;\n#define K 1.\n\
             struct Ray { vec3 from; } ray;\nconst float a = max(b, c), d[2] = float[2](1., 2.);\n\
             float f(in vec2 p, float q) { float inner = p.x; return inner; }\nvec2 g(vec2 p);\n";

@@ -1,10 +1,10 @@
 //! The include paths that change when files are moved.
 
-use super::super::check_context::CheckContext;
-use super::super::files::{FileType, Files};
-use super::super::options::Options;
 use super::find::EXTENSIONS;
-use super::scan::scan;
+use crate::check_context::CheckContext;
+use crate::files::scan::scan;
+use crate::files::{FileType, Files};
+use crate::options::Options;
 use shaderlint_detect::embed::{DocumentLanguage, extract_named, strings};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_text::path::{plain, relative, slashed, tidy};

@@ -1,8 +1,8 @@
 //! Tests in a separate file: `noise.test.glsl` is compiled with `noise.glsl` before it.
 
-use super::super::check_context::CheckContext;
 use super::find::EXTENSIONS;
 use crate::FileType;
+use crate::check_context::CheckContext;
 use std::path::{Path, PathBuf};
 
 /// The functions that a file of tests may call and GLSL does not have.

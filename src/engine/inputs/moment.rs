@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_signs_of_the_mouse_show_its_button() {
+    fn the_sign_of_the_mouse_position_shows_its_button() {
         let moment = |button| Moment {
             mouse: Some(Mouse {
                 at: [10.5, 20.0],
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_and_times_go_together() {
+    fn times_and_frames_convert_into_each_other() {
         assert_eq!(Moment::at(2.0).frame, 120);
         assert_eq!(Moment::of_frame(90).time, 1.5);
         let size = Moment::at(0.0).lanes(Feed::ResolutionAndPixel, [200, 100]);

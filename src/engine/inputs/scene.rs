@@ -203,7 +203,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn matrices_that_change_nothing() {
+    fn matrices_default_to_the_identity() {
         assert_eq!(identity(Type::matrix(2, 3)), [1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
         assert_eq!(scalars(Type::matrix(2, 3).array_of(2)), 12);
     }

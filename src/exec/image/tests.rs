@@ -48,7 +48,7 @@ fn check(texture: &Texture, at: &[f32], expected: f32) {
 }
 
 #[test]
-fn the_size_in_the_header_is_the_size_of_the_image() {
+fn images_with_a_wrong_number_of_texels_are_refused() {
     let texels = |count| Texels::Unorm8(vec![[0; 4]; count]);
     let refused = Image::new(ImageShape::Flat, [2, 2, 1], texels(3));
     assert_eq!(
@@ -72,7 +72,7 @@ fn the_size_in_the_header_is_the_size_of_the_image() {
 }
 
 #[test]
-fn texels_are_taken_or_weighted() {
+fn nearest_takes_a_texel_and_linear_interpolates() {
     let image = || gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
     let nearest = texture(image(), Filter::Nearest, Wrap::Clamp);
     check(&nearest, &[0.3, 0.5], 100.0);
@@ -83,7 +83,7 @@ fn texels_are_taken_or_weighted() {
 }
 
 #[test]
-fn the_wrap_mode_decides_what_is_outside() {
+fn the_wrap_mode_applies_outside_of_the_image() {
     let check_operands = |wrap, at, expected| {
         let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
         check(&texture(image, Filter::Linear, wrap), &[at, 0.5], expected);
@@ -99,7 +99,7 @@ fn the_wrap_mode_decides_what_is_outside() {
 }
 
 #[test]
-fn no_coordinate_reads_outside() {
+fn no_coordinate_reads_outside_of_the_image() {
     for wrap in [Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
         for at in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -1e-30] {
             let image = gray(ImageShape::Flat, [3, 1, 1], &[50; 3]);
@@ -119,7 +119,7 @@ fn no_coordinate_reads_outside() {
 }
 
 #[test]
-fn an_offset_counts_texels_of_the_level() {
+fn texture_offsets_are_in_texels_of_the_level() {
     let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
     let texture = texture(image, Filter::Nearest, Wrap::Repeat);
     assert_eq!(red(&texture, &[0.1, 0.5], HERE, [-1, 0, 0]).round(), 40.0);
@@ -127,7 +127,7 @@ fn an_offset_counts_texels_of_the_level() {
 }
 
 #[test]
-fn levels_are_means_and_halves_of_them_go_to_even() {
+fn mipmap_levels_are_averages_rounded_half_to_even() {
     let image = gray(ImageShape::Flat, [4, 2, 1], &[0, 1, 10, 20, 0, 1, 30, 42]).with_levels();
     let red = |level: usize| match image.level(level) {
         Some(Texels::Unorm8(texels)) => texels.iter().map(|texel| texel[0]).collect(),
@@ -146,7 +146,7 @@ fn levels_are_means_and_halves_of_them_go_to_even() {
 }
 
 #[test]
-fn the_level_follows_the_quad() {
+fn the_implicit_level_follows_the_derivatives_of_the_quad() {
     let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]).with_levels();
     let texture = texture(image, Filter::Mipmap, Wrap::Repeat);
     let mut across = [0.125; LANES];
@@ -178,7 +178,7 @@ fn the_level_follows_the_quad() {
 }
 
 #[test]
-fn the_level_is_given_or_follows_gradients() {
+fn explicit_levels_and_gradients_select_the_level() {
     let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]).with_levels();
     let texture = texture(image, Filter::Mipmap, Wrap::Clamp);
     let of = |level| red(&texture, &[0.125, 0.5], level, [0; 3]).round();
@@ -203,7 +203,7 @@ fn the_level_is_given_or_follows_gradients() {
 }
 
 #[test]
-fn faces_of_a_cube_meet() {
+fn cube_maps_are_filtered_across_faces() {
     let texels: Vec<u8> = (0..6).flat_map(|face| [face * 40; 4]).collect();
     let cube = || gray(ImageShape::Cube, [2, 2, 6], &texels);
     let linear = texture(cube(), Filter::Linear, Wrap::Repeat);
@@ -244,7 +244,7 @@ fn volumes_and_layers_have_a_third_coordinate() {
 }
 
 #[test]
-fn a_shadow_is_compared_before_it_is_filtered() {
+fn depths_are_compared_before_they_are_filtered() {
     let depths = vec![[0.2, 0.0, 0.0, 1.0], [0.6, 0.0, 0.0, 1.0]];
     let image = Image::new(ImageShape::Flat, [2, 1, 1], Texels::Float(depths)).unwrap();
     let texture = texture(image, Filter::Linear, Wrap::Clamp);
@@ -265,7 +265,7 @@ fn a_shadow_is_compared_before_it_is_filtered() {
 }
 
 #[test]
-fn integers_are_never_weighted() {
+fn integer_textures_are_not_filtered() {
     let image = Image::new(
         ImageShape::Flat,
         [2, 1, 1],
@@ -286,14 +286,14 @@ fn integers_are_never_weighted() {
 }
 
 #[test]
-fn what_lacks_levels_reads_black() {
+fn textures_with_missing_mipmaps_read_black() {
     let image = gray(ImageShape::Flat, [2, 2, 1], &[9; 4]);
     let texture = texture(image, Filter::Mipmap, Wrap::Clamp);
     assert_eq!(red(&texture, &[0.5, 0.5], HERE, [0; 3]), 0.0);
 }
 
 #[test]
-fn one_texel_is_fetched() {
+fn texel_fetches_read_one_texel() {
     let image = gray(ImageShape::Flat, [4, 2, 1], &[1, 2, 3, 4, 5, 6, 7, 8]).with_levels();
     let texture = texture(image, Filter::Mipmap, Wrap::Repeat);
     let texel = |at: [i32; 2], level, offset| {

@@ -58,7 +58,7 @@ fn check_300(vertex: &str, fragment: &str, expected: &str) {
 }
 
 #[test]
-fn what_is_read_must_be_given() {
+fn varyings_read_must_be_written() {
     let missing = "a.frag:2 link-varying: the vertex shader has no output `v`";
     check_300("", "in highp vec2 v;| color.xy = v;", missing);
     check_300(
@@ -82,7 +82,7 @@ fn what_is_read_must_be_given() {
 }
 
 #[test]
-fn what_is_given_arrives_as_it_is() {
+fn varyings_have_the_same_type_in_both_stages() {
     check_300(
         "out vec3 v;",
         "in highp vec2 v;| color.xy = v;",
@@ -107,7 +107,7 @@ fn what_is_given_arrives_as_it_is() {
 }
 
 #[test]
-fn uniforms_of_one_name_are_one() {
+fn uniforms_have_the_same_type_in_both_stages() {
     check_300(
         "uniform float u;",
         "uniform highp vec2 u;",
@@ -142,7 +142,7 @@ fn uniforms_of_one_name_are_one() {
 }
 
 #[test]
-fn blocks_of_one_name_are_one() {
+fn uniform_blocks_have_the_same_members_in_both_stages() {
     check_300(
         "uniform B { highp vec4 a; highp vec4 b; };",
         "uniform B { highp vec4 a; };",
@@ -171,7 +171,7 @@ fn blocks_of_one_name_are_one() {
 }
 
 #[test]
-fn attributes_have_places() {
+fn attributes_get_locations() {
     check_300(
         "layout(location = 0) in mat2 m; layout(location = 1) in float f;",
         "",
@@ -187,7 +187,7 @@ fn attributes_have_places() {
 }
 
 #[test]
-fn invariance_of_webgl1_is_stated_twice() {
+fn webgl1_varyings_are_invariant_in_both_stages() {
     let fragment = "varying mediump float v; void main() { gl_FragColor.x = v; }";
     let wrong =
         "a.frag:1 link-varying: `v` is `invariant` in the vertex but not in the fragment shader";
@@ -214,7 +214,7 @@ fn invariance_of_webgl1_is_stated_twice() {
 }
 
 #[test]
-fn what_no_browser_has_is_too_much() {
+fn interfaces_above_the_limits_of_browsers_are_errors() {
     let many = |n: u32| {
         let declared: String = (0..n).map(|i| format!("in highp vec4 v{i};")).collect();
         let used: String = (0..n).map(|i| format!("color += v{i};")).collect();
@@ -234,7 +234,7 @@ fn what_no_browser_has_is_too_much() {
 }
 
 #[test]
-fn both_stages_are_of_one_version() {
+fn both_stages_have_the_same_version() {
     check(
         "#version 300 es\nvoid main() {}",
         "void main() {}",

@@ -35,7 +35,7 @@ fn check(statement: &str, expected: &str) {
 
 /// A missing brace has no position for an edit.
 #[test]
-fn a_list_without_its_brace_is_not_rewritten() {
+fn unclosed_initializer_lists_have_no_fix() {
     let text = format!("{HEAD}float x = {{ f\n");
     for found in analyze_fragment(&text).diagnostics {
         let edits = found.fix.map_or(Vec::new(), |fix| fix.edits);
@@ -45,7 +45,7 @@ fn a_list_without_its_brace_is_not_rewritten() {
 }
 
 #[test]
-fn a_literal_changes_and_all_else_is_converted() {
+fn literals_are_rewritten_and_other_operands_converted() {
     check(
         "f = i * 2.;",
         "cannot multiply `int` by `float` => f = float(i) * 2.;",
@@ -62,7 +62,7 @@ fn a_literal_changes_and_all_else_is_converted() {
 }
 
 #[test]
-fn vectors_are_cut_or_filled() {
+fn vectors_are_truncated_or_extended() {
     check(
         "v = size;",
         "cannot assign `vec3` to `vec2` => v = size.xy;",
@@ -84,7 +84,7 @@ fn vectors_are_cut_or_filled() {
 }
 
 #[test]
-fn truth_values_are_no_numbers() {
+fn booleans_are_not_numbers() {
     check(
         "bool b = 0. < f < 1.;",
         "comparisons cannot be chained => bool b = 0. < f && f < 1.;",
@@ -109,7 +109,7 @@ fn truth_values_are_no_numbers() {
 }
 
 #[test]
-fn members_that_are_not_there() {
+fn missing_members_are_corrected() {
     check("f = v.q;", "`vec2` has no component `q` => f = v.t;");
     check("f = f.x;", "`float` has no component `x`");
     check(
@@ -127,7 +127,7 @@ fn members_that_are_not_there() {
 }
 
 #[test]
-fn arguments_are_given_swapped_or_taken_away() {
+fn arguments_are_added_swapped_or_removed() {
     check(
         "f = own(f, v);",
         "no overload of `own` accepts `(float, vec2)` => f = own(v, f);",
@@ -155,7 +155,7 @@ fn arguments_are_given_swapped_or_taken_away() {
 }
 
 #[test]
-fn names_that_are_typos_or_of_other_languages() {
+fn typos_and_names_of_other_languages_are_replaced() {
     check(
         "f = saturate(f);",
         "`saturate` is not a GLSL function; use `clamp(a, 0.0, 1.0)` => f = clamp(f, 0.0, 1.0);",
@@ -184,13 +184,13 @@ fn names_that_are_typos_or_of_other_languages() {
 }
 
 #[test]
-fn the_side_that_is_written_to() {
+fn assignments_to_literals_are_swapped() {
     check("1. = f;", "cannot assign to this expression => f = 1.;");
 }
 
 /// Applies the only fix of each shader: `before => after`, or `None` if there is no fix.
 #[test]
-fn fixes_of_whole_shaders() {
+fn fixes_make_complete_shaders_valid() {
     const VERSION: &str = "#version 300 es\nprecision highp float;\n";
     let table = [
         (
@@ -251,7 +251,7 @@ fn fixes_of_whole_shaders() {
 }
 
 #[test]
-fn what_is_superfluous_is_removed() {
+fn superfluous_code_is_removed() {
     check("break;", "`break` outside of a loop or `switch` => ;");
     check(
         "if (f > 1.) continue;",
@@ -306,7 +306,7 @@ fn what_is_superfluous_is_removed() {
 /// Every problem in the checker's tables of tests has a message of one line without a full stop.
 #[test]
 #[expect(clippy::disallowed_methods, reason = "it reads sources")]
-fn problems_in_the_tables_of_the_checker_have_messages() {
+fn problems_of_the_checker_have_messages_of_one_line() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../semantic/checker");
     let mut open = vec![std::path::PathBuf::from(folder)];
     let mut rows = 0;

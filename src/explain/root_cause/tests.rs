@@ -39,7 +39,7 @@ pub(super) fn main_with(definitions: &str, body: &str) -> String {
 }
 
 #[test]
-fn the_definition_is_reported_once_for_all_its_uses() {
+fn faulty_macros_are_reported_once_at_the_definition() {
     let twice = "float a = N * 2.0; float b = (N + 1.0); color = vec4(a, b, N, 1.0);";
     check(&main_with("#define N 64.0;", twice), "1:15 faulty-macro");
     check(&main_with("#define N = 64.0", twice), "1:11 faulty-macro");
@@ -62,7 +62,7 @@ fn the_definition_is_reported_once_for_all_its_uses() {
 }
 
 #[test]
-fn macros_with_parameters() {
+fn faulty_macros_with_parameters_are_reported_at_the_definition() {
     let twice = "float a = SQ(2.0) + 1.0; color = vec4(SQ(a + 1.0));";
     check(
         &main_with("#define SQ (x) ((x)*(x))", twice),
@@ -93,7 +93,7 @@ fn macros_with_parameters() {
 }
 
 #[test]
-fn a_call_is_blamed_where_others_work() {
+fn one_failing_macro_call_is_reported_at_the_call() {
     let code = main_with(
         "#define F(x) max(x, 0.0)",
         "color = vec4(F(1.0), F(2.0), F(true), 1.0);",
@@ -109,7 +109,7 @@ fn a_call_is_blamed_where_others_work() {
 }
 
 #[test]
-fn what_the_browser_accepts_is_no_error() {
+fn odd_macros_that_the_browser_accepts_are_not_errors() {
     for (definition, body) in [
         ("#define A color = vec4(1.0);", "A"),
         ("#define OPEN vec4(", "color = OPEN 1.0);"),
@@ -126,7 +126,7 @@ fn what_the_browser_accepts_is_no_error() {
 }
 
 #[test]
-fn conditionals() {
+fn unbalanced_conditionals_are_reported_at_their_cause() {
     let main = "void main() { color = vec4(A); }\n";
     check(
         &format!("#if 1\n#define A 1.0\n#else\n#define A 2.0\n\n\n{main}"),
@@ -167,7 +167,7 @@ fn conditionals() {
 }
 
 #[test]
-fn a_hash_before_something_else_is_not_a_misspelled_directive() {
+fn a_stray_hash_is_not_a_misspelled_directive() {
     let code = "void main() {\n    color = vec4(1.0);\n    if (color.x > 0.5) {\n        color.y = 2.0;\n#    }\n}\n";
     let (reported, fixed) = found(code);
     assert_eq!(reported, ["4:23 unclosed-delimiter", "5:1 bad-directive"]);
@@ -175,7 +175,7 @@ fn a_hash_before_something_else_is_not_a_misspelled_directive() {
 }
 
 #[test]
-fn rechecks_of_a_long_text_are_not_paid() {
+fn rechecks_of_a_long_text_are_limited_by_a_budget() {
     let reported = |comment: usize| {
         let comment = format!("/*{}*/", "*".repeat(comment));
         let (reported, _) = found(&main_with(
@@ -191,7 +191,7 @@ fn rechecks_of_a_long_text_are_not_paid() {
 
 /// After what cannot be read, names and types of the same statement are no mistakes of their own.
 #[test]
-fn the_first_error_of_a_statement_is_its_cause() {
+fn only_the_first_error_of_a_statement_is_reported() {
     let errors = |statement: &str| {
         let shader = main_with(
             "",

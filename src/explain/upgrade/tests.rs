@@ -43,7 +43,7 @@ fn vertex(text: &str, expected: &str) {
 }
 
 #[test]
-fn stages() {
+fn attributes_and_varyings_become_inputs_and_outputs() {
     vertex(
         "attribute vec3 at;\nvarying vec2 v;\nvoid main() { v = at.xy; gl_Position = vec4(at, 1.0); }\n",
         "#version 300 es\nin vec3 at;\nout vec2 v;\nvoid main() { v = at.xy; gl_Position = vec4(at, 1.0); }\n",
@@ -85,7 +85,7 @@ fn outputs_are_declared() {
 }
 
 #[test]
-fn lookups_and_extensions() {
+fn texture_lookups_and_extensions_are_replaced() {
     fragment(
         "#ifdef GL_OES_standard_derivatives\n#extension GL_OES_standard_derivatives : enable\n#endif\n\
          #extension GL_EXT_shader_texture_lod : enable\n#extension GL_EXT_frag_depth : enable\n\
@@ -103,7 +103,7 @@ fn lookups_and_extensions() {
 }
 
 #[test]
-fn names_are_replaced() {
+fn reserved_and_built_in_names_are_replaced() {
     let head = "precision highp float;\nuniform sampler2D t;\nvarying vec2 v;\n";
     let new = "#version 300 es\nprecision highp float;\nout vec4 fragColor;\nuniform sampler2D t;\nin vec2 v;\n";
     let check = |code: &str, expected: &str| {
@@ -158,7 +158,7 @@ fn a_renamed_uniform_is_listed() {
 }
 
 #[test]
-fn invariance_and_initial_values() {
+fn invariance_and_initial_values_are_converted() {
     fragment(
         "#pragma STDGL invariant(all)\nprecision highp float;\ninvariant varying vec2 v;\nvarying float w;\n\
          invariant w;\nvoid main() { gl_FragColor = vec4(v, w, 1.0); }\n",
@@ -178,7 +178,7 @@ fn invariance_and_initial_values() {
 }
 
 #[test]
-fn what_is_not_converted() {
+fn shaders_that_cannot_be_converted_are_refused() {
     let main = "void main() { gl_FragColor = vec4(1.0); }\n";
     fragment(
         &format!("#if __VERSION__ < 300\nprecision highp float;\n#endif\n{main}"),

@@ -81,7 +81,7 @@ fn check(code: &str, expected: &str) {
 }
 
 #[test]
-fn a_loop_may_assign_on_some_path_only() {
+fn assignments_in_loops_hold_on_some_paths_only() {
     let found = |body: &str, expected| {
         check(
             &format!("float f(float x) {{ float y; {body} return y; }}"),
@@ -115,7 +115,7 @@ fn a_loop_may_assign_on_some_path_only() {
 }
 
 #[test]
-fn an_inout_argument_is_read_where_its_value_is_used() {
+fn inout_arguments_are_read_if_the_function_uses_the_value() {
     check(
         "void set(inout vec2 a) { a = vec2(1.); } float f() { vec2 a; set(a); return a.x; }",
         "",
@@ -150,7 +150,7 @@ fn an_inout_argument_is_read_where_its_value_is_used() {
 }
 
 #[test]
-fn what_is_read_too_early() {
+fn reads_before_assignment_are_found() {
     check("float f() { float a; return a; }", "a never");
     check(
         "float f(float x) { float a; if (x > 0.) a = 1.; return a; }",
@@ -168,7 +168,7 @@ fn what_is_read_too_early() {
 }
 
 #[test]
-fn an_earlier_iteration_may_have_written() {
+fn assignments_in_earlier_iterations_count() {
     check(
         "float f(float x) { float s, l; for (int i = 0; i < 4; i++) { \
          if (i == 0) s = 1.; else s += l; l = s; } return s; }",
@@ -178,7 +178,7 @@ fn an_earlier_iteration_may_have_written() {
 
 /// What both operands of `?:` read is read whatever the condition is.
 #[test]
-fn both_choices_may_read_the_same() {
+fn reads_in_both_operands_of_a_conditional_are_unconditional() {
     let check = |value: &str, expected| {
         check(
             &format!(
@@ -207,7 +207,7 @@ fn both_choices_may_read_the_same() {
 }
 
 #[test]
-fn a_condition_answers_the_same_again() {
+fn repeated_conditions_have_the_same_result() {
     check(
         "float f(float x) { float a; if (x > 0.) a = 1.; if (!(x > 0.)) a = 2.; return a; }",
         "",
@@ -227,7 +227,7 @@ fn a_condition_answers_the_same_again() {
 }
 
 #[test]
-fn values_that_are_compared_are_all() {
+fn compared_constants_count_as_all_values_of_an_integer() {
     check(
         "float f(int i) { float a; if (i == 0) a = 1.; else if (i == 1) a = 2.; return a; }",
         "",
@@ -247,7 +247,7 @@ fn values_that_are_compared_are_all() {
 }
 
 #[test]
-fn what_functions_leave_unassigned() {
+fn unassigned_out_parameters_are_found() {
     check(
         "void f(float d, out float n) { if (d > 1.) return; n = 1.; }",
         "n left, end",
@@ -265,7 +265,7 @@ fn what_functions_leave_unassigned() {
 }
 
 #[test]
-fn what_is_left_when_all_are_compared() {
+fn exhaustive_comparisons_assign_on_every_path() {
     check(
         "float f(float x, float y) { float a; if (x <= y) a = 1.; else if (y < x) a = 2.; return a; }",
         "",
@@ -321,7 +321,7 @@ fn what_is_left_when_all_are_compared() {
 }
 
 #[test]
-fn a_value_that_is_ignored_need_not_be() {
+fn unused_arguments_may_be_unassigned() {
     check(
         "float g(float a, float b) { return b; } float h(float a) { return g(a, 1.); } \
          float f() { float a; return h(a); }",
@@ -334,7 +334,7 @@ fn a_value_that_is_ignored_need_not_be() {
 }
 
 #[test]
-fn members_have_values_of_their_own() {
+fn members_are_assigned_separately() {
     check(
         "struct S { float a, b; }; float f() { S s; s.a = 1.; return s.b; }",
         "s never",

@@ -35,7 +35,7 @@ fn check(before: [&str; 2], after: [&str; 2], expected: bool) {
 }
 
 #[test]
-fn variables_are_values() {
+fn temporary_variables_do_not_matter() {
     check(
         ["", "c = vec4(sin(p.x * 2.0) + p.y);"],
         [
@@ -75,7 +75,7 @@ fn variables_are_values() {
 }
 
 #[test]
-fn functions_of_one_version_are_inlined() {
+fn functions_that_only_one_version_declares_are_inlined() {
     check(
         ["", "float d = p.x; d *= 2.0; d += p.y; c = vec4(d);"],
         [
@@ -107,7 +107,7 @@ fn functions_of_one_version_are_inlined() {
 
 /// Both have the function, but only one calls it.
 #[test]
-fn calls_are_inlined_where_only_one_version_has_them() {
+fn calls_that_only_one_version_has_are_inlined() {
     let twice = "float twice(float x) { return x + x; }";
     check(
         [twice, "c = vec4(twice(p.x * 2.0) + twice(p.y));"],
@@ -123,7 +123,7 @@ fn calls_are_inlined_where_only_one_version_has_them() {
 
 /// A function stays pure if part of it moves to a function that is not.
 #[test]
-fn purity_is_a_property_of_both_versions() {
+fn a_function_that_calls_a_new_helper_stays_pure() {
     let body = "p = vec2(dot(p, vec2(1.0)), 2.0);";
     check(
         [
@@ -139,7 +139,7 @@ fn purity_is_a_property_of_both_versions() {
 }
 
 #[test]
-fn loops_are_compared() {
+fn equivalent_loop_bodies_are_recognised() {
     let around = |body: &str| {
         format!("float t = 0.0; for (int i = 0; i < 9; i++) {{ {body} }} c = vec4(t);")
     };
@@ -244,7 +244,7 @@ fn positions_matter_for_derivatives_and_effects() {
 
 /// A variable, a parameter or a result with less precision rounds the value.
 #[test]
-fn precision_is_kept() {
+fn reduced_precision_is_a_difference() {
     let original = ["", "c = vec4(p.x * 2.0 + 1.0);"];
     check(
         original,

@@ -28,7 +28,7 @@ fn check(body: &str, expected: &str) {
 }
 
 #[test]
-fn counters_end_loops() {
+fn loops_with_counters_have_exact_bounds() {
     check("for (int i = 0; i < 8; i++) { x += 1.0; }", "Exact(8)");
     check("for (int i = 8; i > 0; i -= 2) { x += 1.0; }", "Exact(4)");
     check("for (int i = 0; i != 8; i++) { x += 1.0; }", "Exact(8)");
@@ -53,7 +53,7 @@ fn counters_end_loops() {
 }
 
 #[test]
-fn what_is_left_early_iterates_at_most_as_often() {
+fn loops_with_early_exits_have_upper_bounds() {
     check(
         "for (int i = 0; i < 8; i++) { if (sin(x) > 0.5) break; }",
         "AtMost(8)",
@@ -69,7 +69,7 @@ fn what_is_left_early_iterates_at_most_as_often() {
 }
 
 #[test]
-fn a_counter_that_is_helped_along_ends_too() {
+fn loops_with_additional_increments_end() {
     check("for (int i = 0; i < 8; i++) { if (x > 1.0) i++; }", "Ends");
     check(
         "for (float i = 0.0; i < 8.0; i++) { i += step(0.5, x) * 9.0; }",
@@ -84,7 +84,7 @@ fn a_counter_that_is_helped_along_ends_too() {
 }
 
 #[test]
-fn loops_that_nothing_ends_are_open() {
+fn loops_without_progress_are_open() {
     check("while (x < 9.0) { x += sin(x); }", "Open");
     check("for (int i = 0; i < 8; i--) { x += 1.0; }", "Open");
     check("for (int i = 0; i < 8; i++) { i = 0; }", "Open");
@@ -92,7 +92,7 @@ fn loops_that_nothing_ends_are_open() {
 }
 
 #[test]
-fn what_leaves_by_another_way_ends_too() {
+fn loops_ended_by_setting_the_counter_have_upper_bounds() {
     check(
         "for (int i = 0; i < 8; i++) { if (x > 1.0) i = 8; }",
         "AtMost(8)",
@@ -113,7 +113,7 @@ fn what_leaves_by_another_way_ends_too() {
 }
 
 #[test]
-fn steps_that_grow_with_the_way_end() {
+fn steps_proportional_to_the_distance_end() {
     check(
         "float s = 0.01; for (float t = 0.001; t < 9.0; t += s) { s = 0.01 * t; }",
         "Exact(916)",
@@ -121,7 +121,7 @@ fn steps_that_grow_with_the_way_end() {
 }
 
 #[test]
-fn numbers_that_come_together_end() {
+fn bisections_end() {
     check(
         "float a = 0.0, b = x; while (abs(b - a) > 0.01) { float m = (a + b) / 2.0; \
          if (sin(m) > 0.5) a = m; else b = m; }",
@@ -147,7 +147,7 @@ fn numbers_that_come_together_end() {
 }
 
 #[test]
-fn a_step_that_may_be_nothing_ends_nothing() {
+fn steps_that_may_be_zero_do_not_end_a_loop() {
     check(
         "float t = 0.0; while (t < 1.0) { float h = sin(t * fract(x)); if (h < 0.0) break; t += h * 0.1; }",
         "Open",
@@ -155,7 +155,7 @@ fn a_step_that_may_be_nothing_ends_nothing() {
 }
 
 #[test]
-fn loops_that_leave_in_their_first_iteration_end() {
+fn loops_that_exit_in_the_first_iteration_run_once() {
     check(
         "while (true) { x += 1.0; if (x > 2.0) break; else return; }",
         "AtMost(1)",
@@ -169,7 +169,7 @@ fn loops_that_leave_in_their_first_iteration_end() {
 }
 
 #[test]
-fn factors_and_growing_steps_end() {
+fn loops_that_scale_their_counter_end() {
     check("while (x > 1.0) { x /= 10.0; }", "Ends");
     check("while ((n /= 10) > 0) { x += 1.0; }", "Ends");
     check("for (float i = 1.0; abs(i) < 100.0; i *= -2.0) { }", "Ends");
@@ -201,7 +201,7 @@ fn factors_and_growing_steps_end() {
 }
 
 #[test]
-fn loops_that_shift_the_tested_bits_out_end() {
+fn loops_that_shift_out_the_tested_bits_end() {
     check(
         "uint v = uint(n); while ((v & 1u) == 0u) { v >>= 1u; }",
         "Ends",

@@ -762,7 +762,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn arithmetic_of_ranges() {
+    fn arithmetic_on_intervals_bounds_the_result() {
         let unit = Interval::new(-1.0, 1.0, Tightness::Touched);
         let two = Interval::constant(2.0);
         assert_eq!(unit.sub(two).to_string(), "-3.0..=-1.0");
@@ -776,7 +776,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_are_reached_only_where_the_values_are_free() {
+    fn bounds_are_reached_only_by_independent_operands() {
         let sine = Interval {
             sources: 1,
             ..Interval::new(-1.0, 1.0, Tightness::Touched)

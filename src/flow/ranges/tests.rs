@@ -98,7 +98,7 @@ fn built_in_functions_have_ranges() {
 }
 
 #[test]
-fn hosts_fill_in_known_ranges() {
+fn host_uniforms_have_known_ranges() {
     check("iTime", "0.0 or more");
     check("iResolution.y", "1.0 or more");
     check("gl_FragCoord.x / iResolution.x", "0.0..=1.0");
@@ -106,7 +106,7 @@ fn hosts_fill_in_known_ranges() {
 }
 
 #[test]
-fn variables_hold_what_is_written_to_them() {
+fn variables_have_the_union_of_their_assigned_ranges() {
     check_body(
         "float a = 1.0; if (x > 0.0) a = 4.0; return a;",
         "1.0..=4.0",
@@ -147,7 +147,7 @@ fn conditions_narrow_ranges() {
 }
 
 #[test]
-fn the_last_write_before_a_use_counts() {
+fn only_reaching_definitions_count() {
     check_body(
         "x = clamp(x, 0.0, 1.0); x = x * 2.0; x -= 1.0; return x;",
         "-1.0..=1.0",
@@ -164,7 +164,7 @@ fn the_last_write_before_a_use_counts() {
 }
 
 #[test]
-fn what_is_made_of_a_value_narrows_it() {
+fn conditions_on_derived_values_narrow_ranges() {
     check_body(
         "if (length(v) > 1.0) return 0.5; return dot(v, v);",
         "0.0..=1.0",
@@ -196,7 +196,7 @@ fn what_is_made_of_a_value_narrows_it() {
 }
 
 #[test]
-fn what_comes_round_in_a_loop_is_bounded() {
+fn loop_carried_variables_have_bounded_ranges() {
     check_body(
         "float a = 1.0; for (int i = 0; i < n; i++) a *= 0.5; return a;",
         "0.0..=1.0",
@@ -216,7 +216,7 @@ fn what_comes_round_in_a_loop_is_bounded() {
 }
 
 #[test]
-fn members_are_distinguished() {
+fn members_have_separate_ranges() {
     let code = "struct S { float a; vec2 b; };
         void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         float test() { S s = S(1.0, vec2(2.0, 3.0)); S t = s; t.a = 9.0; return s.a + t.b.y; }";
@@ -231,7 +231,7 @@ fn a_loop_counter_stays_below_its_limit() {
 }
 
 #[test]
-fn parameters_take_what_callers_pass() {
+fn parameters_have_the_ranges_of_their_arguments() {
     let code = "float f(float a) { return a; }
         void mainImage(out vec4 o, vec2 p) { o = vec4(f(1.0), f(3.0), 0.0, 1.0); }
         float test() { return f(2.0); }";
@@ -241,7 +241,7 @@ fn parameters_take_what_callers_pass() {
 }
 
 #[test]
-fn a_call_writes_what_is_written_however_deep() {
+fn writes_in_nested_calls_are_found_at_any_depth() {
     let count = 100;
     let heads: String = (0..count).map(|i| format!("void f{i}();\n")).collect();
     let calls: String = (1..count)
@@ -304,7 +304,7 @@ fn check_negative(body: &str, expected: bool) {
 }
 
 #[test]
-fn the_middle_of_the_image_splits_signs() {
+fn centred_coordinates_have_both_signs() {
     let place = "vec2 p = gl_FragCoord.xy, R = iResolution.xy;";
     let check = |expr: &str, expected| check_negative(&format!("{place} return {expr};"), expected);
     check("(p.x - 0.5 * R.x) / R.y", true);
@@ -321,7 +321,7 @@ fn the_middle_of_the_image_splits_signs() {
 }
 
 #[test]
-fn rotated_vectors_take_both_signs() {
+fn rotated_vectors_have_both_signs() {
     let check = |vector: &str, expected| {
         check_negative(
             &format!(
@@ -345,7 +345,7 @@ fn rotated_vectors_take_both_signs() {
 }
 
 #[test]
-fn colours_may_be_darker_than_black() {
+fn adjusted_colours_may_be_negative() {
     let check = |expr: &str, expected| {
         let texel = "vec3 c = texture(iChannel0, v.xy).rgb;";
         check_negative(&format!("{texel} return {expr};"), expected);
@@ -359,7 +359,7 @@ fn colours_may_be_darker_than_black() {
 }
 
 #[test]
-fn rounding_alone_makes_nothing_negative() {
+fn rounding_errors_do_not_count_as_negative_values() {
     check_negative("return cos(3.14159265 / 2.0);", false);
     check_negative("return cos(3.0);", true);
     check_negative("return -exp(x);", true);
@@ -367,7 +367,7 @@ fn rounding_alone_makes_nothing_negative() {
 }
 
 #[test]
-fn integers_are_taken_again_and_again() {
+fn integers_reach_zero_where_they_count_through_it() {
     let holds_zero = |expr: &str, expected: bool| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
@@ -420,7 +420,7 @@ fn conditions_bound_magnitudes_and_products() {
 }
 
 #[test]
-fn functions_may_be_conditions() {
+fn conditions_in_functions_narrow_ranges() {
     let code = "void mainImage(out vec4 o, vec2 p) { o = vec4(p, 0.0, 1.0); }
         bool within(vec2 p, float r) { float l = length(p); return l < r && r > 0.0; }
         float test(vec2 v) { if (!within(v, 2.0)) return 0.0; return dot(v, v); }";
@@ -428,7 +428,7 @@ fn functions_may_be_conditions() {
 }
 
 #[test]
-fn float_counters_stop_at_their_last_iteration() {
+fn float_counters_reach_the_value_of_the_last_iteration() {
     let last = |head: &str, expected: bool, end: &str| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
@@ -448,7 +448,7 @@ fn float_counters_stop_at_their_last_iteration() {
 }
 
 #[test]
-fn what_is_passed_twice_cancels() {
+fn the_same_argument_passed_twice_cancels() {
     let check = |call: &str, expected: &str| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
@@ -462,7 +462,7 @@ fn what_is_passed_twice_cancels() {
 }
 
 #[test]
-fn a_function_may_be_announced_before_its_body() {
+fn functions_with_prototypes_have_ranges() {
     let code = "float late(float a);
         float wave(float a) { return max(sin(a), 0.0); }
         float test(float a) { if (wave(a) == 0.0) return 1.0; return wave(a); }
@@ -472,7 +472,7 @@ fn a_function_may_be_announced_before_its_body() {
 }
 
 #[test]
-fn conditions_bound_what_was_computed_from_a_value_before() {
+fn conditions_narrow_values_computed_before_them() {
     let holds_zero = |condition: &str, expected: bool| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}
@@ -487,7 +487,7 @@ fn conditions_bound_what_was_computed_from_a_value_before() {
 }
 
 #[test]
-fn elements_of_an_array_are_different_values() {
+fn array_elements_have_separate_ranges() {
     check_body(
         "float a[2] = float[2](x, v.y); float b = a[0], c = a[1]; return b - c;",
         "any number",
@@ -515,7 +515,7 @@ fn elements_of_an_array_are_different_values() {
 }
 
 #[test]
-fn what_is_not_set_may_be_anything() {
+fn unassigned_variables_may_have_any_value() {
     check_body("float a; if (x > 0.0) a = 1.0; return a;", "any number");
     check_body(
         "float a; for (int i = 0; i < n; i++) { a = 2.0; } return a;",

@@ -60,7 +60,7 @@ fn check(body: &str, expected: &str) {
 }
 
 #[test]
-fn a_step_by_the_distance_at_the_point_follows_a_ray() {
+fn loops_that_step_by_the_distance_are_ray_marching() {
     let full = "Distance hit far camera scene";
     check(
         "for (int i = 0; i < 80; i++) { d = map(ro + rd * t); if (d < 0.001 || t > 20.0) break; t += d; }",
@@ -109,7 +109,7 @@ fn a_step_by_the_distance_at_the_point_follows_a_ray() {
 }
 
 #[test]
-fn steps_may_be_fixed() {
+fn loops_with_fixed_steps_are_ray_marching() {
     check(
         "for (float s = 0.1; s < 9.0; s += 0.02) { p = ro + rd * s; if (map(p) < 0.0) break; }",
         "Fixed far scene",
@@ -139,7 +139,7 @@ fn steps_may_be_fixed() {
 }
 
 #[test]
-fn points_and_distances_may_be_members() {
+fn ray_marching_may_use_struct_members() {
     check_shader(
         "struct Ray { vec3 o, d; }; struct Found { vec3 at; float far; };
         vec3 at(Ray r, float t) { return r.o + r.d * t; }
@@ -155,7 +155,7 @@ fn points_and_distances_may_be_members() {
 }
 
 #[test]
-fn other_loops_do_not() {
+fn other_loops_are_not_ray_marching() {
     // Bounces.
     check(
         "for (int i = 0; i < 4; i++) { d = map(ro); if (d < 0.001) break; ro += rd * d; rd = reflect(rd, normal(ro)); }",
@@ -188,7 +188,7 @@ fn other_loops_do_not() {
 }
 
 #[test]
-fn cells_are_crossed_one_by_one() {
+fn grid_traversals_are_recognised() {
     check(
         "ivec3 c = ivec3(floor(ro)), go = ivec3(sign(rd)); vec3 delta = abs(1.0 / rd), next = delta * 0.5;
         for (int i = 0; i < 80; i++) {
@@ -213,7 +213,7 @@ fn cells_are_crossed_one_by_one() {
 }
 
 #[test]
-fn rays_from_a_hit_are_not_from_the_camera() {
+fn secondary_rays_do_not_start_at_the_camera() {
     let march = "for (int i = 0; i < 80; i++) { d = map(ro + rd * t); if (d < 0.001 || t > 20.0) break; t += d; }";
     check(
         &format!("{march} ro += rd * t; rd = vec3(0.0, 1.0, 0.0); t = 0.1; {march}"),

@@ -71,7 +71,7 @@ mod tests {
     use shaderlint_syntax::Version;
 
     #[test]
-    fn all_that_the_language_defines_is_explained() {
+    fn every_built_in_has_a_description() {
         for version in [Version::Es100, Version::Es300] {
             for stage in [Stage::Vertex, Stage::Fragment] {
                 let all = Builtins::of(version, stage);
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_are_plotted() {
+    fn plots_of_functions_are_drawn() {
         let lines = include_str!("built_ins.txt").lines();
         let plots: Vec<&str> = lines.filter_map(|l| l.strip_prefix("    plot: ")).collect();
         assert!(plots.len() > 15, "{}", plots.len());
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn all_that_shadertoy_defines_is_explained() {
+    fn every_shadertoy_uniform_has_a_description() {
         let mut declared = 0;
         for pass in [Pass::Image, Pass::Buffer, Pass::Cubemap, Pass::Sound] {
             let prelude = pass.host().prelude([None; 4]);

@@ -55,7 +55,7 @@ fn check_shown(text: &str) {
 }
 
 #[test]
-fn a_value_is_drawn_as_a_run_sees_it() {
+fn previewed_values_equal_those_of_a_run() {
     let toy = |body: &str| {
         format!(
             "float f(vec2 p) {{ float d = length(p);\nfor (int i = 0; i < 4; i++) {{\nd = sin(d * 3.0);\n}}\nreturn d; }}
@@ -90,7 +90,7 @@ fn a_value_is_drawn_as_a_run_sees_it() {
 }
 
 #[test]
-fn an_expression_is_drawn_with_its_type() {
+fn expressions_are_previewed_by_their_type() {
     let middle = |body: &str| {
         let text = format!("void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ {body} }}");
         let (_, value) = shown(&text)?;
@@ -122,7 +122,7 @@ fn an_expression_is_drawn_with_its_type() {
 }
 
 #[test]
-fn values_beyond_colours_are_scaled() {
+fn values_outside_of_the_colour_range_are_scaled() {
     let text = "void mainImage(out vec4 fragColor, in vec2 fragCoord) { vec2 |p = fragCoord - 32.0; fragColor = vec4(p, p); }";
     let (document, span) = marked("/a.glsl", text);
     let own = |limits: [f32; 2]| {

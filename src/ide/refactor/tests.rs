@@ -66,7 +66,7 @@ fn in_main(body: &str) -> String {
 }
 
 #[test]
-fn an_expression_becomes_a_variable() {
+fn expressions_are_extracted_to_variables() {
     let check = |before: &str, title: &str, after: &str| {
         check(&in_main(before), title, &in_main(after));
     };
@@ -104,7 +104,7 @@ fn an_expression_becomes_a_variable() {
 }
 
 #[test]
-fn a_variable_is_not_extracted_where_it_has_another_value() {
+fn expressions_whose_value_would_change_are_not_extracted() {
     let none = |body: &str| check_none(&in_main(body), "to variable");
     // Changes in the loop.
     none(
@@ -129,7 +129,7 @@ fn a_variable_is_not_extracted_where_it_has_another_value() {
 }
 
 #[test]
-fn constants_are_global() {
+fn extracted_constants_are_global() {
     check(
         &format!("// The entry.\n{}", in_main("color = vec4(«2.0 * 3.0»);")),
         "Extract to constant",
@@ -150,7 +150,7 @@ fn constants_are_global() {
 }
 
 #[test]
-fn code_becomes_a_function() {
+fn code_is_extracted_to_functions() {
     check(
         &in_main("color = vec4(«sin(p.x * time)»);"),
         "Extract to function",
@@ -208,7 +208,7 @@ fn code_becomes_a_function() {
 }
 
 #[test]
-fn names_are_inlined() {
+fn variables_functions_and_macros_are_inlined() {
     check(
         &in_main("float |a = p.x + 1.0;\n    color = vec4(a, a * 2.0, 1, 1);"),
         "Inline variable `a`",
@@ -265,7 +265,7 @@ fn names_are_inlined() {
 }
 
 #[test]
-fn macros_and_constants_are_exchanged() {
+fn macros_and_constants_convert_into_each_other() {
     check(
         &format!(
             "#define |SPEED 0.5 // (0~1)\n{}",
@@ -303,7 +303,7 @@ fn macros_and_constants_are_exchanged() {
 }
 
 #[test]
-fn old_shaders_are_converted() {
+fn webgl1_shaders_are_converted() {
     let old = "precision highp float;\nuniform sampler2D image;\n|void main() { gl_FragColor = texture2D(image, gl_FragCoord.xy / 64.0); }\n";
     let all = offered_in("/a.frag", old);
     let found = all
@@ -317,7 +317,7 @@ fn old_shaders_are_converted() {
 }
 
 #[test]
-fn functions_move_to_files() {
+fn functions_move_to_new_files() {
     check(
         &format!(
             "// Twice.\nfloat |twice(float x) {{\n    return x * 2.0;\n}}\n{}",
@@ -333,7 +333,7 @@ fn functions_move_to_files() {
 
 /// Shaders in scripts and in exports.
 #[test]
-fn embedded_shaders_are_edited_where_they_are_written() {
+fn embedded_shaders_are_edited_in_place() {
     let script = "const text = `#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() {\n    c = vec4(«gl_FragCoord.x * 2.0»);\n}\n`;\n";
     let all = offered_in("/a.js", script);
     let found = all.iter().find(|(title, _)| title == "Extract to variable");

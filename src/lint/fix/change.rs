@@ -172,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn offsets_go_back_through_edits() {
+    fn offsets_are_mapped_back_through_edits() {
         let edits = [
             Edit::insert(2, "xx"),
             Edit::replace(Span::new(4, 6), "y"),

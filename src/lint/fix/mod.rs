@@ -458,13 +458,13 @@ mod tests {
     }
 
     #[test]
-    fn fixes_that_harm_are_not_kept() {
+    fn fixes_that_add_findings_are_not_kept() {
         let fixed = fix("aa", Allow::Safe, look, without_images);
         assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("ba", 1));
     }
 
     #[test]
-    fn one_fix_that_harms_does_not_keep_others_back() {
+    fn one_bad_fix_does_not_prevent_others() {
         let fixed = fix("a.a.ab.a.a", Allow::Safe, look, without_images);
         assert_eq!(
             (fixed.text.as_str(), fixed.applied.len()),
@@ -473,7 +473,7 @@ mod tests {
     }
 
     #[test]
-    fn one_bad_fix_among_many_costs_few_looks() {
+    fn one_bad_fix_among_many_costs_few_checks() {
         let text = format!("{}ab.{}", "a.".repeat(500), "a.".repeat(500));
         let mut looks = 0;
         let count = |text: &str| {
@@ -487,7 +487,7 @@ mod tests {
 
     /// All fixes but one change the image: they are not applied, even with `Allow::Unsafe`.
     #[test]
-    fn fixes_that_change_the_image_are_left_alone() {
+    fn fixes_that_change_the_image_are_not_applied() {
         let compare = |_: &Look, after: &Look| match after.diagnostics.len() {
             0..4 => Proof::Refuted,
             _ => Proof::SameBits,
@@ -530,13 +530,13 @@ mod tests {
     }
 
     #[test]
-    fn fixes_that_overlap_take_one_round_each() {
+    fn overlapping_fixes_are_applied_in_separate_rounds() {
         let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_images);
         assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("a+b", 3));
     }
 
     #[test]
-    fn what_was_fixed_is_known_by_its_first_place() {
+    fn applied_fixes_have_positions_in_the_original_text() {
         let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_images);
         let places: Vec<&str> = fixed
             .applied
@@ -582,7 +582,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_to_light_is_no_reason_to_refuse() {
+    fn fixes_may_uncover_findings() {
         assert_eq!(fix("acc", Allow::Safe, hiding, without_images).text, "bcc");
         assert_eq!(
             fix("ddacc", Allow::Safe, hiding, without_images).text,
@@ -592,7 +592,7 @@ mod tests {
 
     /// `a` is an error with the fix `b`, which fails before another `b`.
     #[test]
-    fn fixes_that_fail_alone_are_found() {
+    fn fixes_that_fail_on_their_own_are_not_applied() {
         let errors = |text: &str| {
             let mut look = look(text)?;
             for found in &mut look.diagnostics {
@@ -618,7 +618,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_stay() {
+    fn fixes_that_remove_comments_become_help() {
         let mut sources = Sources::new();
         let text = "a /* b */ c";
         sources.add("a", None, shaderlint_text::Role::User, text);
@@ -637,7 +637,7 @@ mod tests {
     }
 
     #[test]
-    fn fixes_that_want_a_look_are_not_applied_unasked() {
+    fn unsafe_fixes_are_applied_on_request_only() {
         let unsafe_look = |text: &str| {
             let mut look = look(text)?;
             for fix in look.diagnostics.iter_mut().filter_map(|d| d.fix.as_mut()) {

@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn orders_are_understood_however_they_are_spelt() {
+    fn misspelled_suppressions_are_recognised() {
         let right = "// shaderlint: allow(float-equality)";
         for wrong in [
             "// shaderlint allow(float-equality)",
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn other_comments_are_left_alone() {
+    fn other_comments_are_not_suppressions() {
         for comment in [
             "// eslint-disable-next-line no-undef",
             "// shaderlint is run on this file",

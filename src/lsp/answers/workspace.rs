@@ -221,7 +221,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_found_by_some_of_their_letters() {
+    fn workspace_symbols_match_subsequences() {
         assert!(is_like("mapscene", "mpsc") && is_like("x", ""));
         assert!(!is_like("map", "pam"));
     }

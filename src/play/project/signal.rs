@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_spectrum_fades() {
+    fn the_spectrum_decays_exponentially() {
         let share = (-3.0_f64 / COUNT as f64).exp();
         assert!((spectrum(0.7)[400] as f64 / 255.0 - share.powi(400)).abs() < 0.26);
         assert!((share - 0.997_074_599_846_54).abs() < 1e-15);

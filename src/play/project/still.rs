@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_and_faces_are_flipped_as_by_the_player() {
+    fn rows_and_faces_are_flipped_as_in_the_player() {
         let bytes = |bytes: &[u8]| Texels::Unorm8(bytes.iter().map(|b| [*b; 4]).collect());
         let mut image = input(InputKind::Texture, &[&[1, 2, 3]]);
         for (vflip, rows) in [(true, [3, 2, 1]), (false, [1, 2, 3])] {
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_read_is_reported() {
+    fn unreadable_media_are_reported() {
         let check = |input: &Input, why: &str| {
             assert_eq!(Stills::new(Some(column)).get(input).unwrap_err(), why);
         };

@@ -212,7 +212,7 @@ mod tests {
     use super::half;
 
     #[test]
-    fn floats_of_16_bits() {
+    fn colours_are_rounded_to_half_floats() {
         let all = [
             (1.0, 1.0),
             (2049.0, 2048.0),

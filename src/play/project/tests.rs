@@ -54,7 +54,7 @@ const COUNT: &str =
     "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(p), 0) + 0.125; }";
 
 #[test]
-fn a_buffer_reads_what_it_drew_before() {
+fn buffers_read_their_previous_frame() {
     let passes = [
         image(SHOW, &[reads(0, 0, "nearest")]),
         buffer(0, COUNT, &[reads(0, 0, "nearest")]),
@@ -92,7 +92,7 @@ fn passes_draw_in_the_order_of_the_export() {
 }
 
 #[test]
-fn uniforms_are_those_of_the_player() {
+fn uniforms_have_the_values_of_the_player() {
     let code = "void mainImage(out vec4 c, in vec2 p) {
         bool ok = iResolution == vec3(8, 4, 1) && iTime == 0.5 && iFrame == 30 && iFrameRate == 60.0
             && abs(iTimeDelta - 1.0 / 60.0) < 1e-6 && iSampleRate == 44100.0
@@ -121,14 +121,14 @@ fn uniforms_are_those_of_the_player() {
 }
 
 #[test]
-fn common_is_part_of_every_pass() {
+fn common_code_is_part_of_every_pass() {
     let common = json!({"type": "common", "code": "float half_of(float x) { return x * 0.5; }"});
     let code = "void mainImage(out vec4 c, in vec2 p) { c = vec4(half_of(p.x)); }";
     assert_eq!(first(&[common, image(code, &[])], 0)[0], 0.25);
 }
 
 #[test]
-fn stand_ins_are_drawn_and_filtered() {
+fn placeholder_textures_are_drawn_and_filtered() {
     let code = "void mainImage(out vec4 c, in vec2 p) {
         c = vec4(textureLod(iChannel0, vec2(0.3), 0.0).r, textureLod(iChannel0, vec2(0.3), 6.0).r, 0, 1);
     }";
@@ -143,7 +143,7 @@ fn stand_ins_are_drawn_and_filtered() {
 }
 
 #[test]
-fn levels_of_buffers_are_made_where_they_are_read() {
+fn mipmaps_of_buffers_are_created_if_they_are_read() {
     let code =
         "void mainImage(out vec4 c, in vec2 p) { c = textureLod(iChannel0, vec2(0.5), 3.0); }";
     let drawn = "void mainImage(out vec4 c, in vec2 p) { c = vec4(p.x < 2.0 ? 1.0 : 0.0); }";
@@ -156,7 +156,7 @@ fn levels_of_buffers_are_made_where_they_are_read() {
 }
 
 #[test]
-fn what_is_discarded_stays_as_it_was() {
+fn discarded_pixels_keep_their_values() {
     let drawn = "void mainImage(out vec4 c, in vec2 p) {
         if (iFrame > 1) discard;
         c = vec4(float(iFrame + 1) / 4.0);
@@ -176,7 +176,7 @@ fn what_is_discarded_stays_as_it_was() {
 }
 
 #[test]
-fn a_cube_map_is_drawn_around_the_middle() {
+fn cube_maps_are_drawn_in_all_directions() {
     let cube =
         "void mainCubemap(out vec4 c, in vec2 p, in vec3 o, in vec3 d) { c = vec4(d, 0.1); }";
     let code = "void mainImage(out vec4 c, in vec2 p) {
@@ -220,7 +220,7 @@ fn sound_is_computed_in_blocks() {
 }
 
 #[test]
-fn what_cannot_be_run_is_named() {
+fn projects_that_cannot_run_are_refused_with_the_reason() {
     let refused = |passes: &[Value], size| player(passes, size).err().map(|p| p.to_string());
     let wrong = [image(
         "void mainImage(out vec4 c, in vec2 p) { c = 1; }",

@@ -104,7 +104,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_stay_inside_and_become_simpler() {
+    fn random_values_stay_in_their_interval_and_shrink() {
         let intervals = [
             (Scalar::Float, -10.0, 10.0),
             (Scalar::Float, 0.25, 0.75),

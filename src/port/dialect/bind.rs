@@ -323,7 +323,7 @@ mod tests {
         + texture(iChannel1, vec3(1.0));\n}\n";
 
     #[test]
-    fn everything_is_given_something() {
+    fn every_input_of_a_shader_is_bound() {
         let project = Project::from_shader("", CODE).unwrap();
         let bound = &project.passes[0].bound;
         let sources: Vec<(&str, Feed)> = bound
@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn the_size_of_a_texture_is_that_of_the_sampler_it_is_named_after() {
+    fn texture_sizes_are_bound_to_samplers_by_name() {
         let code = "precision highp float;\nuniform sampler2D u_tex0, photo;\nuniform vec2 u_tex0Resolution;\n\
             uniform vec2 photo_size, otherSize;\nvoid main() { gl_FragColor = texture2D(u_tex0, u_tex0Resolution) \
             + texture2D(photo, photo_size * otherSize); }\n";
@@ -374,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn an_initial_value_is_where_a_control_starts() {
+    fn controls_start_at_the_initial_value() {
         let code = "#version 330\nuniform float a = 3.5;\nuniform bool b = true;\nout vec4 c;\n\
             void main() { c = vec4(b ? a : 0.0); }\n";
         let project = Project::from_shader("", code).unwrap();

@@ -515,7 +515,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn first_lines_become_comments() {
+    fn version_and_extension_lines_become_comments() {
         let text =
             "#version 410 core\n # extension GL_X : enable\n#define version 1\n// #version\n";
         assert_eq!(
@@ -525,7 +525,7 @@ mod tests {
     }
 
     #[test]
-    fn images_are_zeros() {
+    fn storage_images_are_replaced_by_zeros() {
         let text = "#version 420 core\nuniform vec2 size;\n\
             layout(r32ui) uniform coherent restrict uimage2D[3] computeTex;\nout vec4 c;\n\
             void main() {\nimageAtomicAdd(computeTex[0], ivec2(1), 3u);\n\
@@ -550,7 +550,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_stays_as_it_stands_where_it_can() {
+    fn complete_shaders_are_not_changed() {
         let text = "precision mediump float;\nvoid main() { gl_FragColor = vec4(1.0); }\n";
         assert_eq!(taken(text), Completion::bare(text));
         let text = "#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
@@ -558,7 +558,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_goes_before() {
+    fn missing_declarations_are_inserted_before_the_text() {
         let old = taken("uniform float t;\nvoid main() { gl_FragColor = vec4(t); }\n");
         assert!(old.before.starts_with("precision highp float;"), "{old:?}");
         let line = taken("\n#version 300 es\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");

@@ -614,7 +614,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_is_known_by_its_head_or_by_its_words() {
+    fn isf_is_recognised_by_its_header_or_its_names() {
         let main = "void main() { gl_FragColor = vec4(1.0); }";
         assert_eq!(known(&format!("/*{{\"INPUTS\": []}}*/ {main}")), "isf");
         assert_eq!(
@@ -636,7 +636,7 @@ mod tests {
     }
 
     #[test]
-    fn a_vertex_shader_alone_names_the_file_to_give() {
+    fn vertex_shaders_alone_name_the_missing_fragment_shader() {
         let text = "varying vec2 q; void main() { isf_vertShaderInit(); q = vec2(1.0); }";
         assert_eq!(known(text), "isf");
         let notes = plan(&Clues::of(text)).notes;
@@ -647,7 +647,7 @@ mod tests {
     }
 
     #[test]
-    fn heads_that_are_almost_json_are_read() {
+    fn headers_with_json_errors_are_read() {
         let read = object("{\"A\": [1, 2,],\n \"B\": \"two\nlines, ]\",}").unwrap();
         assert_eq!(read.len(), 2);
         assert_eq!(read["B"], "two lines, ]");
@@ -705,7 +705,7 @@ mod tests {
     }
 
     #[test]
-    fn passes_draw_into_their_targets() {
+    fn passes_draw_to_their_targets() {
         let project = project(
             r#"/*{"INPUTS": [], "PASSES": [{"TARGET": "a", "WIDTH": "$WIDTH/2", "FLOAT": true}, {},
             {"TARGET": "b", "PERSISTENT": true}]}*/

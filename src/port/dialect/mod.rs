@@ -574,7 +574,7 @@ mod tests {
     }
 
     #[test]
-    fn what_speaks_for_two_dialects_is_reported() {
+    fn ambiguous_dialects_are_reported() {
         let text = "precision highp float;\nuniform vec3 spectrum;\nvarying vec2 surfacePosition;\n\
             void main() { gl_FragColor = vec4(surfacePosition, spectrum.xy); }";
         let found = recognise(&Clues::of(text)).unwrap();
@@ -586,7 +586,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_its_own_make_a_dialect() {
+    fn dialects_are_recognised_by_their_own_names() {
         let old = |head: &str| {
             format!("precision mediump float;\n{head}\nvoid main() {{ gl_FragColor = vec4(1.0); }}")
         };
@@ -618,7 +618,7 @@ mod tests {
     }
 
     #[test]
-    fn other_uniforms_than_those_of_a_host_speak_against_it() {
+    fn uniforms_that_a_host_lacks_rule_it_out() {
         let screen = |uniforms: &str| {
             format!(
                 "precision mediump float;\nvarying vec2 v_texcoord;\nuniform sampler2D tex;\n{uniforms}\n\
@@ -653,7 +653,7 @@ mod tests {
     }
 
     #[test]
-    fn common_names_make_none() {
+    fn common_names_do_not_identify_a_dialect() {
         let image = |body: &str| format!("void mainImage(out vec4 o, in vec2 u) {{ {body} }}");
         check(
             &image("float time = iTime; vec2 resolution = iResolution.xy; o = vec4(time);"),
@@ -686,7 +686,7 @@ mod tests {
     }
 
     #[test]
-    fn every_row_names_types_of_glsl() {
+    fn every_meaning_has_valid_glsl_types() {
         use shaderlint_syntax::TypeWord;
         for host in presets() {
             for ty in host.meanings.feeds.iter().flat_map(|r| &r.types) {

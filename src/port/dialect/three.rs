@@ -116,7 +116,7 @@ mod tests {
     use crate::Project;
 
     #[test]
-    fn what_three_brings_is_known_by_its_names() {
+    fn names_of_three_js_chunks_are_listed() {
         let names: Vec<&str> = BROUGHT.lines().map(defined).collect();
         assert!(names.contains(&"saturate") && names.contains(&"packDepthToRGBA"));
         assert!(
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_and_macros_of_three_are_there() {
+    fn functions_and_macros_of_three_js_are_defined() {
         draws(
             "#include <common>\n#include <packing>\nvarying vec2 vUv;\nvoid main() {\n\
              gl_FragColor = packDepthToRGBA(rand(vUv) * luminance(vec3(saturate(vUv.x))));\n}\n",

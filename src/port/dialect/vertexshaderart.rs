@@ -159,7 +159,7 @@ mod tests {
     use shaderlint_semantic::Stage;
 
     #[test]
-    fn it_is_known_by_its_numbered_vertices() {
+    fn vertexshaderart_is_recognised_by_its_numbered_vertices() {
         let known = |text: &str| recognise(&Clues::of(text)).unwrap().host.name;
         let text = "void main() { gl_Position = vec4(vertexId / vertexCount); v_color = vec4(1); }";
         assert_eq!(known(text), "vertexshaderart");
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_around_it_is_of_the_version_that_it_needs() {
+    fn added_code_has_the_version_that_the_shader_needs() {
         let draw = |text: &str| {
             let plan = plan(&Clues::of(text));
             let first = &plan.passes[0].candidates[0];
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn a_head_says_how_many_are_drawn_as_what() {
+    fn headers_set_the_vertex_count_and_primitive() {
         let head = r#"{"POINT_COUNT": 3, "PRIMITIVE_MODE": "TRIANGLE_STRIP", "BACKGROUND_COLOR": [1, 0, 0, 1]}"#;
         let values = |object: &Map<String, Value>| -> Vec<Vec<f64>> {
             controls(object).into_iter().map(|c| c.value).collect()

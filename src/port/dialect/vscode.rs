@@ -663,7 +663,7 @@ mod tests {
     }
 
     #[test]
-    fn uniforms_are_read() {
+    fn uniform_directives_are_read() {
         assert_eq!(
             read(" float x = 1.0 in { 0.0, 5.0 } step 0.2 // how much"),
             "uniform float x;\nFloat [1.0] [0.0] [5.0]"
@@ -685,14 +685,14 @@ mod tests {
     }
 
     #[test]
-    fn paths_are_joined() {
+    fn relative_paths_are_joined() {
         assert_eq!(joined("a/b", "../c.glsl"), "a/c.glsl");
         assert_eq!(joined("", "./c.glsl"), "c.glsl");
         assert_eq!(joined("a", "..\\..\\c.glsl"), "../c.glsl");
     }
 
     #[test]
-    fn keys_have_javascripts_numbers() {
+    fn keys_have_javascript_key_codes() {
         let codes = ["A", "9", "LeftArrow", "F12", "Numpad3", "Foo"].map(key_code);
         assert_eq!(
             codes,
@@ -701,14 +701,14 @@ mod tests {
     }
 
     #[test]
-    fn directives_in_comments_are_none() {
+    fn directives_in_comments_are_ignored() {
         let text = "// #iChannel0 \"a\"\n/* #iUniform float x */\n# iChannel1 \"file://b.glsl\"\n#iChannel12 \"c\"\n#define iChannel2 3\n";
         let words: Vec<_> = directives(text).iter().map(|d| d.word).collect();
         assert_eq!(words, ["iChannel1"]);
     }
 
     #[test]
-    fn it_is_known_by_its_directives() {
+    fn the_dialect_is_recognised_by_its_directives() {
         let known = |text: &str| {
             crate::dialect::recognise(&Clues::of(text))
                 .unwrap()
@@ -737,7 +737,7 @@ mod tests {
     }
 
     #[test]
-    fn shaders_beside_become_passes() {
+    fn referenced_shaders_become_passes() {
         let text = "#iChannel0 \"file://./a/b.glsl\"\n#iChannel1 \"self\"\nvoid mainImage(out vec4 c, in vec2 p) \
             { c = texture(iChannel0, p) + texture(iChannel1, p); }";
         let mut siblings = super::super::SiblingTexts::new();

@@ -118,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn vectors_take_several_indices() {
+    fn vectors_use_one_index_per_component() {
         let uniform = |name: &str, ty: &str| DeclaredUniform {
             name: name.to_string(),
             ty: ty.to_string(),

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_change_at_once() {
+    fn names_are_swapped_simultaneously() {
         let names: NewNames = [("a", "bb"), ("bb", "a"), ("c", "long")]
             .map(|(old, new)| (old.to_string(), new.to_string()))
             .into();

@@ -225,7 +225,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_are_absolute() {
+    fn page_addresses_must_be_absolute() {
         let beside = |text: &str| PageAddress::read(text).map(|a| a.beside("a b.png").0);
         let is = |text: &str| Ok(format!("https://e.org{text}/a%20b.png"));
         assert_eq!(beside("https://e.org/x/water.html"), is("/x"));
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn texts_stay_inside_their_elements() {
+    fn texts_are_escaped_in_elements() {
         let address = PageAddress::read("https://e.org/x.html").ok();
         let card = Card {
             title: "a \"b\" <c>",

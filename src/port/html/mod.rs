@@ -281,7 +281,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_page_cannot_end_its_elements() {
+    fn scripts_cannot_end_their_elements() {
         let texts = LIVE.iter().chain(&RECEIVE);
         for text in texts.chain(&[COLORS, STYLE, PANEL_STYLE, MOUNT, DEBUGGER]) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
@@ -289,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn values_are_not_looked_at() {
+    fn substituted_values_are_not_expanded_again() {
         let page = fill("a{{x}}b{{y}}c", &[("x", "{{y}}"), ("y", "1")]);
         assert_eq!(page, "a{{y}}b1c");
     }

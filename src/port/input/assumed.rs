@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_given_is_written_and_stays() {
+    fn assumed_channels_are_written_and_read_back() {
         let image = "texture(iChannel0, f) + texture(iChannel1, vec3(f, 0.0))";
         let buffer = "texture(iChannel2, f)";
         let parts = [(PassRole::Image, image), (PassRole::Buffer(0), buffer)];

@@ -349,7 +349,7 @@ mod tests {
     use crate::{Info, ProjectPass};
 
     #[test]
-    fn a_misspelled_word_is_distinguished_from_a_file() {
+    fn misspelled_options_are_distinguished_from_files() {
         let message = |text: &str| unknown_source(text);
         assert!(
             message("keyboard,neerest").ends_with("did you mean `nearest` instead of `neerest`?")
@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn orders_are_read() {
+    fn channel_arguments_are_parsed() {
         let order = ChannelOrder::read("buffer_a.2=pictures/a,b.jpg,nearest,clamp,noflip").unwrap();
         assert_eq!(order.pass, Some(PassRole::Buffer(0)));
         assert_eq!(order.channel, ChannelName::Number(2));
@@ -378,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn orders_are_carried_out() {
+    fn channel_arguments_are_applied() {
         let mut project = Project {
             info: Info::default(),
             passes: vec![ProjectPass::new(Pass::Image, "")],
@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn a_channel_is_named_by_its_sampler() {
+    fn channels_are_named_by_their_sampler() {
         let code = "precision highp float;\nuniform sampler2D photo;\nuniform sampler2D maps[4];\n\
             void main() { gl_FragColor = texture2D(photo, vec2(0.5)) + texture2D(maps[3], vec2(0.5)); }\n";
         let mut project = Project::from_shader("", code).unwrap();

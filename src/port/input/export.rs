@@ -388,7 +388,7 @@ mod tests {
         "inputs":[{"id":"4dXGR8","type":"buffer","channel":2,"sampler":{"filter":"linear","vflip":"true"}}]}"#;
 
     #[test]
-    fn the_three_shapes_give_the_same_project() {
+    fn all_three_json_shapes_give_the_same_project() {
         let shader = format!(
             r#"{{"ver":"0.1","info":{{"name":"n","username":"u"}},"renderpass":[{PASS}]}}"#
         );
@@ -416,7 +416,7 @@ mod tests {
     }
 
     #[test]
-    fn buffers_are_known_by_number_image_or_order() {
+    fn buffers_are_identified_by_id_image_or_order() {
         let json = r#"{"Shader":{"renderpass":[
             {"type":"image","code":"","inputs":[
                 {"id":999,"ctype":"buffer","src":"/media/previz/buffer01.png","channel":0}]},
@@ -435,7 +435,7 @@ mod tests {
 
     /// Exports of other programs and older versions.
     #[test]
-    fn what_is_missing_or_of_another_type_is_made_up_for() {
+    fn missing_and_mistyped_fields_have_defaults() {
         let json = "\u{feff}{\"info\":null,\"renderpass\":[null,{\"name\":\"\\ud800 Image\",\"code\":\"\",
             \"outputs\":null,\"inputs\":{\"0\":{\"type\":null,\"ctype\":null,\"channel\":0},
             \"1\":{\"type\":null,\"ctype\":\"texture\",\"channel\":\"2\",\"filepath\":null,\"src\":\"/a.png\"},
@@ -459,7 +459,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_show_the_place() {
+    fn errors_have_a_position_or_path() {
         check("{", "line 1, column 1: EOF while parsing an object");
         check("{}", "not a ShaderToy export: `renderpass` is missing");
         check(

@@ -274,7 +274,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn programs_of_screen_savers_are_numbered() {
+    fn numbered_programs_of_screen_savers_are_passes() {
         let roles = |names: &[&str]| {
             let roles = saver_roles(names)?;
             Some(roles.into_iter().map(PassRole::name).collect::<Vec<_>>())
@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn names_show_what_a_file_is_for() {
+    fn file_names_identify_passes() {
         check("image", Some("image"));
         check("Image", Some("image"));
         check("buffer_a", Some("buffer_a"));
@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn files_make_a_project() {
+    fn files_of_passes_form_a_project() {
         let part = |role, file: &str, code: &str| PassFile {
             role,
             file: file.to_string(),

@@ -118,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_available_is_reported() {
+    fn unavailable_media_are_reported() {
         let json = r#"{"renderpass":[{"type":"image","code":"","inputs":[
             {"type":"texture","channel":0,"filepath":"/media/a/x.jpg"},
             {"type":"keyboard","channel":1},{"type":"buffer","id":"4dXGR8","channel":2},

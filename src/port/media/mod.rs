@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn files_are_known_by_id_and_by_path() {
+    fn media_files_are_identified_by_id_or_path() {
         use InputKind::{Buffer, Cubemap, Music, Texture, Video, Volume, Webcam};
         let noise = "noise RGBA Noise Medium [256, 256, 1]";
         check(Texture, "Xsf3zn", "", noise);
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_at_hand_needs_none() {
+    fn only_missing_media_get_placeholders() {
         let json = r#"{"renderpass":[
             {"type":"image","code":"","inputs":[
                 {"type":"texture","channel":0,"filepath":"data:image/png;base64,AAAA"},

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn declarations_are_lists() {
+    fn array_initializers_become_lists() {
         for (line, expected) in [
             (
                 "    float2 a[2] = (float2[2])0;",

@@ -90,7 +90,7 @@ mod tests {
     use crate::{Project, compose};
 
     #[test]
-    fn errors_have_places_in_utf_16() {
+    fn errors_have_utf_16_positions() {
         let json = r#"{"renderpass":[{"type":"image",
             "code":"/* 😀 */ void mainImage(out vec4 c, in vec2 f) { c = broken; }"}]}"#;
         let project = Project::from_json(json).unwrap();
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn good_code_has_none() {
+    fn valid_code_has_no_findings() {
         let json = r#"{"renderpass":[{"type":"image",
             "code":"void mainImage(out vec4 c, in vec2 f) { c = vec4(1.0); }"}]}"#;
         let project = Project::from_json(json).unwrap();

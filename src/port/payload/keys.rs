@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_the_keys_that_are_read() {
+    fn keys_that_a_shader_reads_are_named() {
         let code = "#define KEY(k) texelFetch(iChannel1, ivec2(k, 0), 0).x
             void mainImage(out vec4 c, in vec2 p) {
                 c = vec4(KEY(37), KEY(39), KEY(65) + KEY(66) + KEY(67), KEY(32));
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn groups_of_keys() {
+    fn complete_groups_of_keys_have_one_name() {
         let all: Vec<u32> = [32, 65, 68, 83, 87].into_iter().chain(37..=40).collect();
         assert_eq!(named(&all).unwrap(), ["arrow keys", "WASD", "space"]);
         let without = named(&[37, 39, 65, 68, 83]).unwrap();

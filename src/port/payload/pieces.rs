@@ -235,14 +235,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_piece_can_end_its_element() {
+    fn parts_of_the_player_cannot_end_their_element() {
         for (_, text) in PLAYER.iter().chain(&BASE).chain(&PANEL) {
             assert!(!text.contains("</") && !text.contains("<!--"), "{text}");
         }
     }
 
     #[test]
-    fn a_plain_shader_needs_nothing() {
+    fn plain_shaders_need_no_optional_parts() {
         let code = "void mainImage(out vec4 o, vec2 u) { o = vec4(u / iResolution.xy, 0, 1); }";
         let project = Project::from_shader("", code).unwrap();
         let needs = PlayerParts::of(&project, &crate::compose(&project, "").unwrap(), true);

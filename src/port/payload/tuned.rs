@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn constants_have_sliders() {
+    fn marked_constants_get_sliders() {
         let code = "const float SPEED = 0.4; // how fast (0~1)\n\
             const int A = 3, // (1~8)\n  B = -2; // (-4~4)\n\
             const int FLAG = 1; // (0~1)\nconst uint U = 2u; //! slider[0, 3, 9]\n\
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn other_literals_get_proposals() {
+    fn unmarked_literals_get_proposals() {
         let code = "#define STEPS 12\n#define UNUSED 1.0\n#define PI 3.14159265\n\
             const float SHIFT = -0.5;\nconst vec3 FOG_COLOR = vec3(0.5);\nconst vec2 AT = vec2(0, 2);\n\
             const float MARKED = 1.0; // (0~8)\nconst float LEFT = 2.0;\nconst float R2 = 1.41421;\n\
@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn passes_share_sliders() {
+    fn equal_constants_of_passes_share_a_slider() {
         let json = r#"{"renderpass":[
             {"type":"common","code":"const float GAIN = 0.5; // (0~1)"},
             {"type":"buffer","name":"Buffer A","outputs":[{"id":"4dXGR8"}],

@@ -209,7 +209,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn generic_prototypes_stand_for_all_their_forms() {
+    fn generic_prototypes_expand_to_all_overloads() {
         let all = Builtins::of(Version::Es300, Stage::Fragment);
         let count = |name: &str| all.function(name).map(|f| all.overloads_of(f).1.len());
         assert_eq!(count("sin"), Some(4));
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn every_row_has_a_prototype() {
+    fn every_built_in_has_a_prototype() {
         let mut without: BTreeSet<BuiltinId> = BuiltinId::ALL.iter().copied().collect();
         for version in [Version::Es100, Version::Es300] {
             for stage in [Stage::Vertex, Stage::Fragment] {
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_lookup_accepts_types_its_parameters() {
+    fn parameters_of_texture_lookups_match_the_table() {
         for stage in [Stage::Vertex, Stage::Fragment] {
             for version in [Version::Es100, Version::Es300] {
                 for overload in Builtins::of(version, stage).overloads {
@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn stages_and_versions_differ() {
+    fn built_ins_depend_on_the_stage_and_version() {
         assert!(
             Builtins::of(Version::Es300, Stage::Vertex)
                 .function("dFdx")
@@ -289,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn the_texts_are_read_without_errors() {
+    fn declarations_of_built_ins_are_valid() {
         for text in [
             include_str!("functions_100.glsl"),
             include_str!("functions_100_fragment.glsl"),

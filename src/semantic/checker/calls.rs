@@ -142,7 +142,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn calls() {
+    fn call_errors_are_found() {
         let table = r"
             void f(); void main() { f(); } => Undefined
             void f() { f(); } void main() {} => Recursion

@@ -166,7 +166,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn foreign_words() {
+    fn names_of_other_languages_are_found() {
         let table = r"
             void main() { string s; } => Absent
             void main() { float3 v; } => Type

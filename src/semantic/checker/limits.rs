@@ -94,7 +94,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn limits() {
+    fn exceeded_limits_are_found() {
         let deep = format!("void f(float x) {{ {}x; }}", "x - ".repeat(300));
         let large = "float a[65536];";
         let arrays: String = (0..2000).map(|i| format!("vec4 a{i}[1024];")).collect();

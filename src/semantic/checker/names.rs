@@ -251,7 +251,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn names() {
+    fn name_errors_are_found() {
         let table = r"
             float gl_f; => Reserved
             float a__b; => Reserved

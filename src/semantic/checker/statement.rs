@@ -432,7 +432,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn statements() {
+    fn statement_errors_are_found() {
         let table = r"
             void main() { break; } => Break
             void main() { continue; } => Continue

@@ -181,7 +181,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn switches() {
+    fn switch_errors_are_found() {
         let table = [
             "switch (1.0) {} => Selector",
             "switch (1) { case 1.0: break; } => Label",

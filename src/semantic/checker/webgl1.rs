@@ -194,7 +194,7 @@ mod tests {
     use super::super::tests::finds;
 
     #[test]
-    fn restrictions() {
+    fn webgl1_restrictions_are_checked() {
         let table = [
             "while (true) break; => Loop",
             "int i = 0; for (i = 0; i < 3; i++) {} => NoIndex",

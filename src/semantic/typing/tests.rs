@@ -163,7 +163,7 @@ fn check_100(input: &str, expected: &str) {
 }
 
 #[test]
-fn arithmetic_converts_nothing() {
+fn arithmetic_has_no_implicit_conversions() {
     check("float + float", "float");
     check("float + int", "! Scalars");
     check("int + uint", "! Scalars");
@@ -179,7 +179,7 @@ fn arithmetic_converts_nothing() {
 }
 
 #[test]
-fn products_have_the_shape_that_section_5_9_gives() {
+fn products_have_the_shape_of_section_5_9() {
     check("mat2x3 * vec2", "vec3");
     check("vec3 * mat2x3", "vec2");
     check("mat2x3 * mat4x2", "mat4x3");
@@ -192,7 +192,7 @@ fn products_have_the_shape_that_section_5_9_gives() {
 }
 
 #[test]
-fn integers_alone_have_bits() {
+fn bitwise_operators_require_integers() {
     check("int % int", "int");
     check("float % float", "! NeedsInteger");
     check("ivec2 << uint", "ivec2");
@@ -202,7 +202,7 @@ fn integers_alone_have_bits() {
 }
 
 #[test]
-fn comparisons_take_what_section_5_9_lets_them() {
+fn comparisons_accept_the_operands_of_section_5_9() {
     check("float < float", "bool");
     check("vec2 < vec2", "! NeedsScalar");
     check("bool < bool", "! NeedsNumber");
@@ -214,7 +214,7 @@ fn comparisons_take_what_section_5_9_lets_them() {
 }
 
 #[test]
-fn arrays_are_values_in_glsl_es_3_alone() {
+fn only_glsl_es_3_compares_and_assigns_arrays() {
     check("float[2] == float[2]", "bool");
     check("float[2] == float[3]", "! ArraySize");
     check("float[2] == int[2]", "! Scalars");
@@ -230,7 +230,7 @@ fn arrays_are_values_in_glsl_es_3_alone() {
 }
 
 #[test]
-fn a_value_goes_to_its_own_type_alone() {
+fn values_are_assigned_to_their_own_type_only() {
     check("vec3 = vec3", "vec3");
     check("float = int", "! Scalars");
     check("vec3 = vec2", "! Shape");
@@ -240,7 +240,7 @@ fn a_value_goes_to_its_own_type_alone() {
 }
 
 #[test]
-fn choices_and_sequences_are_of_numbers() {
+fn conditionals_and_commas_require_basic_types() {
     check("vec3 : vec3", "vec3");
     check("int : float", "! Arms");
     check("float : void", "! Void(1)");
@@ -254,7 +254,7 @@ fn choices_and_sequences_are_of_numbers() {
 }
 
 #[test]
-fn one_operand() {
+fn unary_operators_check_their_operand() {
     let check = |op, operand, expected: &str| assert_eq!(shown(unary(op, read(operand))), expected);
     check(UnaryOp::Minus, "vec2", "vec2");
     check(UnaryOp::Minus, "bool", "! Operand bool");
@@ -270,7 +270,7 @@ fn one_operand() {
 }
 
 #[test]
-fn what_a_function_returns() {
+fn return_values_have_the_declared_type() {
     let check = |declared, value: Option<&str>, expected: &str| {
         let result = returned(read(declared), value.map(read));
         assert_eq!(shown(result.map(|()| Type::VOID)), expected);
@@ -314,7 +314,7 @@ fn members_are_components_and_fields() {
 }
 
 #[test]
-fn elements_of_arrays_matrices_and_vectors() {
+fn arrays_matrices_and_vectors_have_elements() {
     let check = |object, expected: &str| {
         let found = element(read(object));
         let size = found.map_or(0, |(_, size)| size);
@@ -335,7 +335,7 @@ fn elements_of_arrays_matrices_and_vectors() {
 }
 
 #[test]
-fn constructors_take_components_elements_and_members() {
+fn constructors_accept_components_elements_and_members() {
     let check = |ty, arguments: &[&str], expected: &str| {
         let found = with_types(Version::Es300, |types, _| {
             let arguments = arguments.iter().map(|a| read(a));

@@ -479,7 +479,7 @@ mod tests {
     }
 
     #[test]
-    fn one_bracket_is_repaired_where_it_belongs() {
+    fn a_missing_or_wrong_bracket_is_repaired() {
         check(
             "float f(float x) { return max x, 1.0); }",
             &["missing `(`"],
@@ -493,7 +493,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stray_semicolon_may_stand_before_what_does_not_fit() {
+    fn stray_semicolons_are_removed() {
         check(
             "float f(float x); {\n    return x;\n}\n",
             &["unexpected `;`"],
@@ -507,7 +507,7 @@ mod tests {
     }
 
     #[test]
-    fn braces_are_repaired_by_the_indentation() {
+    fn braces_are_repaired_by_indentation() {
         check(
             "void f() {\n    if (a) {\n        b();\n\n    c();\n}\nvoid g() {}\n",
             &["missing `}`"],

@@ -166,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn short_numbers_are_worth_what_the_long_way_says() {
+    fn short_numbers_equal_those_of_the_standard_parser() {
         for text in [
             "0.1", ".5", "5.", "16777215", "1.234567", "0.000001", "3.14159", "99999.99",
         ] {

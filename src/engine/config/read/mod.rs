@@ -78,8 +78,8 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Adjustment, style};
     use super::*;
+    use crate::config::{Adjustment, style};
     use shaderlint_format::{Brace, Indentation, StyleChoice};
     use shaderlint_lint::Renderer;
 
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_have_places() {
+    fn configuration_errors_have_positions() {
         wrong(
             "x = 1",
             1,
@@ -159,7 +159,7 @@ mod tests {
 
     /// Messages use the names of TOML types, not those of serde.
     #[test]
-    fn types_have_names() {
+    fn type_errors_name_toml_types() {
         wrong("target = 3", 1, 10, "expected a string");
         wrong("include_roots = [1]", 1, 18, "expected a string");
         wrong("include = \"a\"", 1, 11, "expected a list: `[...]`");
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn styles_are_read() {
+    fn format_styles_are_read() {
         let text = "[format]\nindent = 2\nbrace = \"next\"\n[[overrides]]\npaths = [\"a\"]\nformat.indent = \"tab\"";
         let config = parse(text).unwrap();
         let brace = Some(Brace::Next);
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn levels_and_hosts_are_read() {
+    fn rule_levels_and_hosts_are_read() {
         let text = "target = \"gpu\"\n[host]\npreset = \"three\"\nuniforms = { uTime = \"float\", on = \"bool\", lights = \"vec3[4]\" }\n\
             [rules]\nbudget = \"info\"\nstep-budget = \"off\"\n[[overrides]]\npaths = [\"a/**\"]\nrules = { numeric = \"off\" }";
         let config = parse(text).unwrap();
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn patterns_are_those_of_gitignore() {
+    fn patterns_work_as_in_gitignore() {
         let config = parse("exclude = [\"old\", \"a/*.glsl\", \"/top.frag\"]").unwrap();
         let excluded = config.exclude.unwrap();
         for path in ["old/x.glsl", "b/old/c/x.glsl", "a/x.glsl", "top.frag"] {

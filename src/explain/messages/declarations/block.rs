@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn members_are_accessed_as_the_block_declares_them() {
+    fn block_members_are_accessed_through_the_instance_name() {
         check("", "cam.view[0]", "view[0]");
         check("", "Camera.tint", "tint");
         check(" cam", "Camera.tint * 2.0", "cam.tint * 2.0");

@@ -98,7 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn entities_are_found_with_their_characters() {
+    fn html_entities_are_found_and_decoded() {
         let found: String = entities("a &lt; b && c; &#x3E; &amp;&amp; d & e; &unknown;")
             .filter_map(|(text, _)| plain(text))
             .collect();

@@ -316,7 +316,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_several_points_one_is_kept() {
+    fn one_of_several_decimal_points_is_kept() {
         for (text, expected) in [
             ("1.0.0", "1.0"),
             ("1..0", "1.0"),

@@ -18,7 +18,7 @@ fn at_top(code: &str, expected: &str) {
 }
 
 #[test]
-fn lost_spaces() {
+fn missing_spaces_are_found() {
     in_main("vec2p = vec2(d); d = p.x;", "4:5 syntax-error");
     in_main("floatk; k = d; d = k;", "4:5 syntax-error");
     in_main("if (d > 1.0) d = 0.0; elsed = 1.0;", "4:27 syntax-error");
@@ -32,7 +32,7 @@ fn lost_spaces() {
 }
 
 #[test]
-fn entities_of_a_page() {
+fn html_entities_are_found() {
     in_main(
         "if (d &lt; 1.0 &amp;&amp; d &gt; 0.5) d = 0.0;",
         "4:11 invalid-character",
@@ -48,7 +48,7 @@ fn entities_of_a_page() {
 }
 
 #[test]
-fn comments_without_marks() {
+fn comments_without_delimiters_are_found() {
     at_top("/ half of the value", "1:1 syntax-error");
     at_top("half of the given value", "1:1 syntax-error");
     at_top("* Half of the value,\n * rounded.\n */", "1:1 syntax-error");
@@ -61,7 +61,7 @@ fn comments_without_marks() {
 }
 
 #[test]
-fn conflicts_and_copies() {
+fn merge_conflicts_and_pasted_diffs_are_found() {
     in_main(
         "<<<<<<< HEAD\nd = 0.1;\n=======\nd = 0.2;\n>>>>>>> other",
         "4:5 syntax-error",
@@ -85,7 +85,7 @@ fn conflicts_and_copies() {
 }
 
 #[test]
-fn notations_of_other_languages() {
+fn notations_of_other_languages_are_found() {
     in_main("vec3 p(1, 2, 3); d = p.x;", "4:10 foreign-syntax");
     in_main("float k = 1.0.0; d = k;", "4:15 invalid-number");
     in_main("d = sin(π * d);", "4:13 invalid-character");
@@ -98,7 +98,7 @@ fn notations_of_other_languages() {
 }
 
 #[test]
-fn pointers_and_references() {
+fn pointers_and_references_are_found() {
     at_top("void grow(vec2& p) { p *= 2.0; }", "1:15 foreign-syntax");
     at_top(
         "float area(const vec2 &p) { return p.x * p.y; }",
@@ -111,7 +111,7 @@ fn pointers_and_references() {
 }
 
 #[test]
-fn constructs_of_other_languages() {
+fn constructs_of_other_languages_are_found() {
     in_main("int c = 'a'; d = float(c);", "4:13 invalid-character");
     in_main("char c = '!'; d = float(c);", "4:14 invalid-character");
     in_main(
@@ -135,7 +135,7 @@ fn constructs_of_other_languages() {
 }
 
 #[test]
-fn tokens_with_a_space_inside() {
+fn spaces_inside_tokens_are_found() {
     in_main("d = smooth step(0.0, 1.0, d);", "4:9 syntax-error");
     in_main("vec 2 p = vec2(d); d = p.x;", "4:5 syntax-error");
     in_main("if (d > = 0.5) d = 0.0;", "4:11 syntax-error");
@@ -144,7 +144,7 @@ fn tokens_with_a_space_inside() {
 }
 
 #[test]
-fn what_pasting_leaves() {
+fn remains_of_pasting_are_found() {
     in_main("d = 0.1;\\n    d += 0.2;", "4:13 invalid-character");
     in_main("d = 0.1; 🎨", "4:14 invalid-character");
     in_main(
@@ -160,7 +160,7 @@ fn what_pasting_leaves() {
 }
 
 #[test]
-fn several_statements_before_else() {
+fn missing_braces_before_else_are_found() {
     in_main(
         "if (d > 0.2)\n    d = 0.1;\n    d += sin(d);\nelse\n    d = 0.3;",
         "7:1 syntax-error",
@@ -172,7 +172,7 @@ fn several_statements_before_else() {
 }
 
 #[test]
-fn functions_of_other_languages() {
+fn functions_of_other_languages_are_found() {
     at_top("function f(x) { return sin(x); }", "1:1 foreign-syntax");
     at_top("sub f(a, b) { return a * b.xyz; }", "1:1 foreign-syntax");
     at_top("auto f(vec2 p) { return p.yx; }", "1:1 foreign-syntax");
@@ -193,7 +193,7 @@ fn functions_of_other_languages() {
 }
 
 #[test]
-fn blocks_of_other_languages() {
+fn blocks_of_other_languages_are_found() {
     in_main(
         "loop { d += 0.1; if (d > 1.0) break; }",
         "4:5 foreign-syntax",
@@ -225,7 +225,7 @@ fn names_are_not_taken_for_braces() {
 }
 
 #[test]
-fn words_and_marks() {
+fn misplaced_words_and_operators_are_found() {
     in_main("d = this.d + 1.0;", "4:9 reserved-word");
     in_main("float k <- 2.0; d *= k;", "4:13 syntax-error");
     in_main("vec2 q <- vec2(d); d = q.x;", "4:12 syntax-error");

@@ -111,7 +111,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn arrays() {
+    fn array_errors_are_found() {
         let table = r"
             struct S { float f[]; }; => NoSize
             float f[]; => NoSizeNorValue

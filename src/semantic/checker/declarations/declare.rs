@@ -341,7 +341,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn declarations() {
+    fn declaration_errors_are_found() {
         let table = r"
             void v; => Void
             sampler2D s; => Sampler

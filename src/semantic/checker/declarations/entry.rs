@@ -140,7 +140,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn entries() {
+    fn entry_function_errors_are_found() {
         let table = r"
             void f() {} => Missing
             image: void f() {} => MissingCalled

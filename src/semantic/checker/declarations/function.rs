@@ -423,7 +423,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn functions() {
+    fn function_errors_are_found() {
         let table = r"
             void main() { void f(); } => Local
             fragment 100: void f(); void f(); => PrototypeTwice

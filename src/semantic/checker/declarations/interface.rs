@@ -121,7 +121,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn interfaces() {
+    fn interface_errors_are_found() {
         let table = r"
             vertex 100: attribute int i; => Type
             in bool b; => Bool

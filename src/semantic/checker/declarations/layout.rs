@@ -130,7 +130,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn layouts() {
+    fn layout_errors_are_found() {
         let table = r"
             layout(shared) uniform; => NotInWebgl
             layout(location) out vec4 c; => NoNumber

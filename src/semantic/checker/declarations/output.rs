@@ -111,7 +111,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn outputs() {
+    fn output_errors_are_found() {
         let table = r"
             layout(location = 8) out vec4 c; void main() {} => Outside
             layout(location = 0) out vec4 c; layout(location = 0) out vec4 d; void main() {} => Shared

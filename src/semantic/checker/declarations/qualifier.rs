@@ -482,7 +482,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn qualifiers() {
+    fn qualifier_errors_are_found() {
         let table = r"
             void main() { uniform float f; } => Local
             void main() { invariant float f; } => NotGlobal

@@ -302,7 +302,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn records() {
+    fn struct_errors_are_found() {
         let table = r"
             struct S {}; => Empty
             struct S { struct T { float f; } t; }; => Inside

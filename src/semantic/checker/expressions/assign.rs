@@ -190,7 +190,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn values() {
+    fn assignment_errors_are_found() {
         let table = r"
             void main() { float f = 1; } => Initializer
             void main() { float v = vec2(1.0); v.x = 2.0; v.y = 2.0; } => Retyped

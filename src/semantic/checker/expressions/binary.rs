@@ -210,7 +210,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn matrices_multiply_column_by_column() {
+    fn matrices_are_multiplied_by_columns() {
         let values = |v: &[f32]| v.iter().map(|&x| Value::Float(x)).collect::<Vec<_>>();
         let m = values(&[1.0, 2.0, 3.0, 4.0]);
         let v = values(&[5.0, 6.0]);

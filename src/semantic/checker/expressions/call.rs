@@ -247,7 +247,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn arguments() {
+    fn argument_errors_are_found() {
         let table = r"
             void main() { float f = 1.0; f = f(1.0); } => Variable
             float f(float x) { return x; } void main() { float y = f(true); } => User

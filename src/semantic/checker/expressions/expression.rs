@@ -409,7 +409,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn expressions() {
+    fn expression_errors_are_found() {
         let table = r"
             void main() { float f = 1.0 + true; } => Misfit
             fragment 100: void main() { gl_FragColor = vec4(1u); } => Unsigned

@@ -119,7 +119,7 @@ mod tests {
     use crate::checker::tests::finds;
 
     #[test]
-    fn places() {
+    fn assignment_target_errors_are_found() {
         let table = r"
             void main() { 1.0 = 2.0; } => NoPlace
             void main() { vec2 v; v.xx = v; } => Repeats

@@ -1,0 +1,123 @@
+//! A cache of files and folders, so that each is read once per run.
+
+use super::passes::Passes;
+use super::repository::{RepositoryWords, top};
+use super::scan::IncludedFile;
+use crate::files::{Dependency, Files};
+use std::collections::{BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
+
+/// Contents of files that earlier checks have read. Cloned options share it.
+#[derive(Default, Debug)]
+pub struct FileCache {
+    /// By real path: the cached version and the file.
+    texts: Mutex<HashMap<PathBuf, (u64, Arc<IncludedFile>)>>,
+    /// By folder: the cached version and the ShaderToy passes in it.
+    passes: Mutex<HashMap<PathBuf, (u64, Arc<Passes>)>>,
+    /// By folder: the packages of its project.
+    packages: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
+    /// By folder: the root of its repository.
+    tops: Mutex<HashMap<PathBuf, Arc<PathBuf>>>,
+    /// By root of a repository: the words in its code.
+    words: Mutex<HashMap<PathBuf, Arc<OnceLock<RepositoryWords>>>>,
+}
+
+impl FileCache {
+    /// A file, read again if it has changed.
+    pub(crate) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
+        files.depends_on(Dependency::Text(real));
+        of_version(&self.texts, files, real, || {
+            Some(IncludedFile::new(files.load(real).ok()?))
+        })
+    }
+
+    /// The files in a folder that are named like passes, listed again if files were added or
+    /// removed.
+    pub(crate) fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
+        files.depends_on(Dependency::Names(folder));
+        let found = of_version(&self.passes, files, folder, || {
+            Some(Passes::inside(files, folder))
+        });
+        found.unwrap_or_default()
+    }
+
+    /// The packages of a folder's project; `find` computes them.
+    pub(crate) fn packages(
+        &self,
+        folder: &Path,
+        files: &dyn Files,
+        find: impl FnOnce() -> BTreeSet<String>,
+    ) -> Arc<BTreeSet<String>> {
+        files.depends_on(Dependency::Repository);
+        kept(&self.packages, folder, find)
+    }
+
+    /// Whether a word appears in another file of the repository, and whether all of its files were
+    /// read.
+    pub(crate) fn is_elsewhere(&self, word: &str, file: &Path, files: &dyn Files) -> (bool, bool) {
+        self.of_repository(file, files, |words| {
+            (words.is_elsewhere(word, file), words.is_all)
+        })
+    }
+
+    /// Whether a program in the repository may write `#version` before shaders.
+    pub(crate) fn adds_version(&self, file: &Path, files: &dyn Files) -> bool {
+        self.of_repository(file, files, |words| words.adds_version || !words.is_all)
+    }
+
+    fn of_repository<T>(
+        &self,
+        file: &Path,
+        files: &dyn Files,
+        ask: impl FnOnce(&RepositoryWords) -> T,
+    ) -> T {
+        files.depends_on(Dependency::Repository);
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let top = kept(&self.tops, folder, || top(file, files));
+        let words = kept(&self.words, &top, OnceLock::new);
+        ask(words.get_or_init(|| RepositoryWords::under(&top, files)))
+    }
+}
+
+/// A cached value for the current version of a file or folder. Nothing is cached if the version is
+/// unknown.
+fn of_version<T>(
+    known: &Mutex<HashMap<PathBuf, (u64, Arc<T>)>>,
+    files: &dyn Files,
+    path: &Path,
+    find: impl FnOnce() -> Option<T>,
+) -> Option<Arc<T>> {
+    // Determined first, so that later changes invalidate the value.
+    let version = files.version(path);
+    if let (Some(now), Some((then, kept))) = (version, lock(known).get(path))
+        && now == *then
+    {
+        return Some(kept.clone());
+    }
+    let found = Arc::new(find()?);
+    if let Some(version) = version {
+        lock(known).insert(path.to_path_buf(), (version, found.clone()));
+    }
+    Some(found)
+}
+
+/// A cached value of a folder, computed on first use.
+fn kept<T>(
+    known: &Mutex<HashMap<PathBuf, Arc<T>>>,
+    folder: &Path,
+    find: impl FnOnce() -> T,
+) -> Arc<T> {
+    if let Some(known) = lock(known).get(folder) {
+        return known.clone();
+    }
+    let found = Arc::new(find());
+    lock(known).insert(folder.to_path_buf(), found.clone());
+    found
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex
+        .lock()
+        .unwrap_or_else(|poisoned| poisoned.into_inner())
+}

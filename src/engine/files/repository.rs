@@ -1,0 +1,240 @@
+//! The words of a repository: whether another of its files contains a name.
+
+use crate::files::{FileType, Files};
+use rustc_hash::{FxHashMap, FxHasher};
+use shaderlint_detect::kind::file_extension;
+use shaderlint_text::path::plain;
+use std::collections::{HashMap, VecDeque};
+use std::hash::{BuildHasherDefault, Hasher};
+use std::path::{Path, PathBuf};
+
+/// Maximum number of files that are read.
+const MAX_FILES: usize = 20_000;
+/// Maximum number of bytes that are read.
+const MAX_BYTES: usize = 64 * 1024 * 1024;
+/// Maximum number of file and folder names that are visited.
+const MAX_NAMES: usize = 100_000;
+/// Maximum number of parent folders that are searched for the root of the repository.
+const MAX_ABOVE: usize = 32;
+
+/// Extensions of GLSL files.
+const GLSL: &[&str] = &[
+    "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "geom", "comp", "tesc", "tese",
+];
+/// Extensions of other files that may declare names for a shader: languages of programs that
+/// complete shaders.
+const CODE: &[&str] = &[
+    "fx", "inc", "js", "mjs", "cjs", "jsx", "ts", "mts", "cts", "tsx", "vue", "svelte", "astro",
+    "html", "htm", "json", "c", "cc", "cpp", "cxx", "h", "hh", "hpp", "m", "mm", "rs", "cs",
+    "java", "kt", "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
+];
+
+/// Stands for several files that contain a word.
+const SEVERAL: u32 = u32::MAX;
+
+/// What the programs of a repository do with shaders.
+#[derive(Default)]
+struct Programs {
+    any: bool,
+    hand_over: bool,
+    hold_version: bool,
+}
+
+/// The words in the code of a repository.
+#[derive(Default)]
+pub struct RepositoryWords {
+    /// By hash of a word: the file that contains it, or [`SEVERAL`].
+    words: HashMap<u64, u32, BuildHasherDefault<HashedBefore>>,
+    files: FxHashMap<PathBuf, u32>,
+    /// Whether all code was read.
+    pub is_all: bool,
+    /// Whether a program may write `#version` before shaders: it contains `#version`, or passes
+    /// shaders to a library.
+    pub adds_version: bool,
+}
+
+impl RepositoryWords {
+    /// Reads the code under a folder, except for dependencies and build output.
+    pub fn under(root: &Path, files: &dyn Files) -> RepositoryWords {
+        let mut found = RepositoryWords {
+            is_all: true,
+            ..RepositoryWords::default()
+        };
+        let mut folders = VecDeque::from([root.to_path_buf()]);
+        let (mut names, mut bytes) = (0, 0);
+        let mut programs = Programs::default();
+        while let Some(folder) = folders.pop_front() {
+            let mut inside = files.names(&folder);
+            inside.sort_unstable();
+            let has_source = inside.iter().any(|n| n == "src");
+            for name in &inside {
+                names += 1;
+                if names > MAX_NAMES || bytes > MAX_BYTES || found.files.len() > MAX_FILES {
+                    found.is_all = false;
+                    return found;
+                }
+                let extension = file_extension(name);
+                let is_code = [GLSL, CODE]
+                    .iter()
+                    .any(|all| all.contains(&extension.as_str()));
+                let path = folder.join(name);
+                if is_code && !name.contains(".min.") {
+                    bytes += found.read(path, &mut programs, files);
+                } else if !is_code
+                    && !is_passed_over(name, has_source)
+                    && files.entry(&path) == Some(FileType::Folder)
+                {
+                    folders.push_back(path);
+                }
+            }
+        }
+        found.adds_version = programs.hold_version || programs.any && !programs.hand_over;
+        found
+    }
+
+    /// Reads a file and returns its length in bytes.
+    fn read(&mut self, path: PathBuf, programs: &mut Programs, files: &dyn Files) -> usize {
+        let Ok(text) = files.load(&path) else {
+            return 0;
+        };
+        let is_shader = GLSL.contains(&file_extension(&path.to_string_lossy()).as_str());
+        if !is_shader {
+            programs.any = true;
+            programs.hand_over |= text.contains(".shaderSource(");
+            programs.hold_version |= text.contains("#version 300");
+        }
+        let number = self.files.len() as u32;
+        for word in words(&text) {
+            let file = self.words.entry(hash(word)).or_insert(number);
+            if *file != number {
+                *file = SEVERAL;
+            }
+        }
+        self.files.insert(path, number);
+        text.len()
+    }
+
+    /// Whether a word appears in a file other than this one.
+    pub fn is_elsewhere(&self, word: &str, file: &Path) -> bool {
+        match self.words.get(&hash(word)) {
+            None => false,
+            Some(&SEVERAL) => true,
+            Some(number) => self.files.get(file) != Some(number),
+        }
+    }
+}
+
+impl std::fmt::Debug for RepositoryWords {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} words", self.words.len())
+    }
+}
+
+/// The root of the repository that contains a file: the folder with version control, otherwise the
+/// package, otherwise the current folder if it contains the file.
+pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let above = || folder.ancestors().take(MAX_ABOVE);
+    let holding = |name: &str| above().find(|f| files.entry(&f.join(name)).is_some());
+    let here = plain(files.here());
+    let top = holding(".git").or_else(|| holding("package.json"));
+    match top {
+        Some(top) => top.to_path_buf(),
+        None if folder.starts_with(&here) => here,
+        None => folder.to_path_buf(),
+    }
+}
+
+/// Whether a folder contains dependencies, or build output next to its source.
+fn is_passed_over(name: &str, has_source: bool) -> bool {
+    name.starts_with('.')
+        || matches!(name, "node_modules" | "target" | "__pycache__")
+        || has_source && matches!(name, "dist" | "build" | "out")
+}
+
+/// The bytes that words consist of, as a bit set.
+const IN_WORD: u128 = {
+    let mut bits = 1 << b'_';
+    let mut byte = 0;
+    while byte < 128 {
+        bits |= ((byte as u8).is_ascii_alphanumeric() as u128) << byte;
+        byte += 1;
+    }
+    bits
+};
+
+/// The identifiers of a text and similar words. Letters outside of ASCII separate words.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    let in_word = |&byte: &u8| byte < 128 && IN_WORD >> byte & 1 == 1;
+    let mut at = 0;
+    let next = move || {
+        let rest = text.as_bytes().get(at..)?;
+        let start = at + rest.iter().position(in_word)?;
+        let word = text.as_bytes().get(start..)?;
+        let length = word.iter().position(|byte| !in_word(byte));
+        at = start + length.unwrap_or(word.len());
+        text.get(start..at)
+    };
+    std::iter::from_fn(next).filter(|word| word.len() > 1)
+}
+
+/// A hasher for keys that are hashes already.
+#[derive(Default)]
+struct HashedBefore(u64);
+
+impl Hasher for HashedBefore {
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
+    }
+
+    fn write_u64(&mut self, hash: u64) {
+        self.0 ^= hash;
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
+}
+
+/// How often each word of a text appears, by hash.
+pub fn counts(text: &str) -> FxHashMap<u64, usize> {
+    let mut found = FxHashMap::default();
+    for word in words(text) {
+        *found.entry(hash(word)).or_default() += 1;
+    }
+    found
+}
+
+/// The hash of a word.
+pub fn hash(word: &str) -> u64 {
+    let mut hasher = FxHasher::default();
+    hasher.write(word.as_bytes());
+    hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+    use std::sync::Arc;
+
+    #[test]
+    fn words_are_found_in_other_files() {
+        let texts = [
+            ("/r/package.json", "{}"),
+            ("/r/a.glsl", "uniform float one; float two;"),
+            ("/r/b/c.js", "const two = { uThree: 1 }"),
+            ("/r/node_modules/d/e.js", "four"),
+            ("/r/src/x.js", ""),
+            ("/r/dist/x.js", "five"),
+        ];
+        let files: BTreeMap<PathBuf, Arc<str>> =
+            texts.iter().map(|(p, t)| (p.into(), (*t).into())).collect();
+        let file = Path::new("/r/a.glsl");
+        assert_eq!(top(file, &files), Path::new("/r"));
+        let words = RepositoryWords::under(Path::new("/r"), &files);
+        let beside = ["one", "two", "uThree", "four", "five"].map(|w| words.is_elsewhere(w, file));
+        assert_eq!(beside, [false, true, true, false, false]);
+        assert!(words.is_all);
+    }
+}

@@ -1,0 +1,212 @@
+//! Mistakes in code that `#if` excludes because a macro is not defined, which a host or a user of
+//! the shader may define.
+//!
+//! The shader is checked again with such macros defined. A mistake is reported if it occurs both
+//! with all macros that can be defined together and with only those that its branch needs, whatever
+//! other groups select.
+
+use super::assumption::{AssumedMacros, BranchNeeds};
+use crate::shader::shader_input::ShaderInput;
+use rustc_hash::FxHashSet;
+use shaderlint_diagnostic::{Applicability, Certainty, Diagnostic, Severity};
+use shaderlint_explain::Checked;
+use shaderlint_semantic::Program;
+use shaderlint_syntax::ast::TokenId;
+use shaderlint_syntax::{RawItem, RawKind, raw_items, tokenize};
+use shaderlint_text::{Sources, Span};
+use std::sync::Arc;
+
+/// Maximum number of further checks to find mistakes.
+const MOST_CHECKS: usize = 8;
+/// Maximum number of further checks to confirm them.
+const MOST_CONFIRMED: usize = 8;
+
+/// Adds the mistakes in excluded code to the findings of a shader without errors, as warnings.
+pub fn report(sources: &Arc<Sources>, part: &ShaderInput, checked: &mut Checked) {
+    if checked.open.is_torn || checked.has_errors() || checked.program.tokens.inactive.is_empty() {
+        return;
+    }
+    let files = part.reading().map_or(&[][..], |reading| &reading.files);
+    let branches = BranchNeeds::of(sources, files, &checked.program);
+    let mut left = branches.excluded();
+    let mut found: Vec<Diagnostic> = Vec::new();
+    for _ in 0..MOST_CHECKS {
+        let mut together = AssumedMacros::default();
+        left.retain(|needs| !together.join(needs));
+        if together.is_empty() {
+            break;
+        }
+        found.extend(mistakes(sources, part, &checked.program, &together));
+    }
+    let mut reported: FxHashSet<Span> = FxHashSet::default();
+    found.retain(|d| reported.insert(d.span));
+    let mut confirmed: Vec<(&AssumedMacros, Vec<Diagnostic>)> = Vec::new();
+    for mut d in found {
+        let Some(needs) = branches.at(d.span.start) else {
+            continue;
+        };
+        let known = confirmed.iter().position(|(known, _)| *known == needs);
+        if known.is_none() && confirmed.len() < MOST_CONFIRMED {
+            confirmed.push((needs, mistakes(sources, part, &checked.program, needs)));
+        }
+        let at = known.unwrap_or(confirmed.len().saturating_sub(1));
+        let again = confirmed.get(at).filter(|(known, _)| *known == needs);
+        let is_again = |o: &Diagnostic| o.span == d.span && o.message == d.message;
+        if again.is_some_and(|(_, all)| all.iter().any(is_again)) {
+            d.severity = Severity::Warning;
+            d.notes.push(format!("an error if {needs}"));
+            // Fixes there are not verified.
+            if let Some(fix) = &mut d.fix {
+                fix.applicability = Applicability::Unsafe;
+            }
+            checked.diagnostics.push(d);
+        }
+    }
+    let key = |d: &Diagnostic| (d.span.start, d.span.end);
+    checked.diagnostics.sort_by_key(key);
+}
+
+/// The errors in code that a shader excludes, if these macros are defined.
+fn mistakes(
+    sources: &Arc<Sources>,
+    part: &ShaderInput,
+    program: &Program,
+    assumed: &AssumedMacros,
+) -> Vec<Diagnostic> {
+    let mut sources = Sources::clone(sources);
+    let Some(readings) = part
+        .readings
+        .with_macros(&mut sources, &assumed.definitions())
+    else {
+        return Vec::new();
+    };
+    let read = readings.check(&Arc::new(sources), part.infer_channels);
+    let Some(read) = read.filter(|read| !read.open.is_torn) else {
+        return Vec::new();
+    };
+    let mut found = read.diagnostics;
+    found.retain(|d| d.severity == Severity::Error && is_inactive(program, d.span));
+    if !found.is_empty() {
+        let of_host = names_of_host(&read.program);
+        found.retain(|d| {
+            let is_syntax = d.certainty() == Certainty::Syntax;
+            let mut words = statement(&read.program, d.span).into_iter();
+            !words.any(|word| assumed.replaces(word, is_syntax) || of_host.contains(word))
+        });
+    }
+    found
+}
+
+/// The functions, structs and members that a host declares: it may declare them differently with
+/// other macros.
+fn names_of_host(program: &Program) -> FxHashSet<&str> {
+    let is_own = |token: TokenId| {
+        let token = program.token(token);
+        token.is_some_and(|t| program.sources.is_user(t.spelled))
+    };
+    let functions = program.functions.iter().filter(|f| {
+        let declared = program.tree.function(f.declaration);
+        !declared.is_some_and(|d| is_own(d.ident.token))
+    });
+    let functions = functions.map(|f| f.name);
+    let structs = program.structs.iter().filter(|s| !is_own(s.token));
+    let members = structs.flat_map(|s| s.fields.iter().map(|f| f.name).chain(s.name));
+    let names = functions.chain(members);
+    names.map(|name| program.names.text(name)).collect()
+}
+
+/// The words of the statement around a span, without directives.
+fn statement(program: &Program, span: Span) -> Vec<&str> {
+    let Some(code) = program.sources.code_at(span.start) else {
+        return Vec::new();
+    };
+    let ends = [';', '{', '}'];
+    let before = code.text.get(..(span.start - code.base) as usize);
+    let start = before.and_then(|b| b.rfind(ends)).map_or(0, |at| at + 1);
+    let after = (span.end - code.base) as usize;
+    let end = code.text.get(after..).and_then(|rest| rest.find(ends));
+    let end = end.map_or(code.text.len(), |at| after + at);
+    let text = code.text.get(start..end).unwrap_or("");
+    let tokens = tokenize(text, 0);
+    let items = raw_items(&tokens).into_iter();
+    let words = items.filter_map(|item| match item {
+        RawItem::Token(t) if t.kind == RawKind::Word => {
+            text.get(t.span.start as usize..t.span.end as usize)
+        }
+        _ => None,
+    });
+    words.collect()
+}
+
+/// Whether a shader does not compile the code at a span.
+fn is_inactive(program: &Program, span: Span) -> bool {
+    program.tokens.inactive.iter().any(|s| s.contains(span))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{NoFiles, Options, check};
+
+    /// The lines and last notes of the warnings about excluded code.
+    fn found(text: &str) -> Vec<(u32, String)> {
+        let report = check("a.glsl", text, &Options::default(), &NoFiles);
+        let noted = report.diagnostics.iter().filter_map(|d| {
+            let note = d.notes.iter().find(|n| n.starts_with("an error if"))?;
+            let file = report.sources.file_at(d.span.start)?;
+            Some((file.position(d.span.start).line, note.clone()))
+        });
+        noted.collect()
+    }
+
+    #[track_caller]
+    fn check_found(text: &str, expected: &[(u32, &str)]) {
+        let expected: Vec<(u32, String)> = expected
+            .iter()
+            .map(|(line, of)| (*line, format!("an error if {of}")))
+            .collect();
+        assert_eq!(found(text), expected, "{text}");
+    }
+
+    #[test]
+    fn mistakes_in_inactive_branches_are_reported() {
+        check_found(
+            "float f(vec3 a) {\n#ifdef TINT\n  vec2 b = a;\n#endif\n  return a.x;\n}\n",
+            &[(3, "`TINT` is defined")],
+        );
+        check_found(
+            "float f(vec3 a) {\n#ifndef PLAIN\n  return a.x;\n#else\n  return a.y\n#endif\n}\n",
+            &[(5, "`PLAIN` is defined")],
+        );
+        check_found(
+            "float f(vec3 a) {\n#if defined(A)\n#if MODE == 2\n  return a.xyw.x;\n#elif MODE == 3\n  return a;\n#endif\n#endif\n  return a.x;\n}\n",
+            &[
+                (4, "`A` is defined and `MODE` is 2"),
+                (6, "`A` is defined and `MODE` is 3"),
+            ],
+        );
+        // A shader may leave a switch to its users.
+        check_found(
+            "//#define ANIMATE\nvoid mainImage(out vec4 c, in vec2 p) {\n#ifdef ANIMATE\n  p += sin(0 + p);\n#endif\n  c = vec4(p, 0, 1);\n}\n",
+            &[(4, "`ANIMATE` is defined")],
+        );
+    }
+
+    #[test]
+    fn inactive_code_that_may_be_valid_is_not_reported() {
+        for text in [
+            // What the macro stands for is unknown.
+            "float f(vec3 a) {\n#ifdef TINT\n  vec2 b = TINT(a) TINT;\n#endif\n  return a.x;\n}\n",
+            "float f(vec3 a) {\n#if SIZE > 2\n  vec2 b = SIZE;\n#endif\n  return a.x;\n}\n",
+            // Another group decides on the type.
+            "#ifdef WIDE\n#define T vec3\n#else\n#define T vec2\n#endif\nfloat f(T a) {\n#ifdef TINT\n  return a.z;\n#endif\n  return a.x;\n}\n",
+            "float f() {\n#ifdef WIDE\n  vec3 a = vec3(1);\n#else\n  vec2 a = vec2(1);\n#endif\n#ifdef TINT\n  return a.z;\n#endif\n  return a.x;\n}\n",
+            // Code that nobody compiles, and an error on purpose.
+            "float f(vec3 a) {\n#if 0\n  vec2 b = a;\n#endif\n  return a.x;\n}\n",
+            "float f(vec3 a) {\n#ifdef OLD\n#error OLD is gone\n#endif\n  return a.x;\n}\n",
+            // The compiler defines such names.
+            "float f(vec3 a) {\n#ifdef GL_other\n  vec2 b = a;\n#endif\n  return a.x;\n}\n",
+        ] {
+            check_found(text, &[]);
+        }
+    }
+}

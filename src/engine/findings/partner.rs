@@ -1,0 +1,489 @@
+//! Pairs vertex and fragment shaders, and reports link errors.
+
+use super::upgrade;
+use crate::check_context::CheckContext;
+use crate::shader::analysis::Analysis;
+use crate::shader::input::SplitInput;
+use crate::shader::reading::{PresumedCompleteness, Reading};
+use crate::shader::shader_input::ShaderInput;
+use crate::text::shader_file::shader_part;
+use shaderlint_detect::embed::{Asked, DocumentLanguage, Embedded, asked, together};
+use shaderlint_detect::kind::file_extension;
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_explain::analyze;
+use shaderlint_explain::link::link;
+use shaderlint_lint::Settings;
+use shaderlint_rules::rule;
+use shaderlint_semantic::{Completeness, Function, Program, Stage, Storage, Unit};
+use shaderlint_text::{Role, Sources, Span};
+use std::collections::{BTreeSet, HashMap};
+use std::path::Path;
+use std::sync::Arc;
+
+/// How often the text of a page is linked on average at most: shaders may belong to several
+/// programs.
+const MAX_SHARED: usize = 16;
+/// Maximum number of unknown uniforms that are reported for a page.
+const MAX_LACKING: usize = 100;
+
+/// The parts of file names that denote the stages.
+const WORDS: [(&str, &str); 8] = [
+    ("vert", "frag"),
+    ("vertex", "fragment"),
+    ("vs", "fs"),
+    ("vsh", "fsh"),
+    ("Vert", "Frag"),
+    ("Vertex", "Fragment"),
+    ("VS", "FS"),
+    ("VERT", "FRAG"),
+];
+
+/// The name and text of the file with the other stage.
+fn find(name: &str, context: CheckContext) -> Option<(String, Arc<str>)> {
+    let (other, stage) = counterpart(name)?;
+    // The fragment shader's check links both, but both must be known to convert one.
+    let converts = context.options.settings.target_version().is_some();
+    if stage == Stage::Vertex && context.is_checked(&other) && !converts {
+        return None;
+    }
+    let text = context.files.load(Path::new(&other)).ok()?;
+    Some((other, text))
+}
+
+/// The file name of the other stage, and the stage of this file.
+fn counterpart(name: &str) -> Option<(String, Stage)> {
+    let StageName {
+        before,
+        other,
+        after,
+        stage,
+    } = StageName::of(name)?;
+    Some((format!("{before}{other}{after}"), stage))
+}
+
+/// The name that the files of both stages of a program share.
+pub fn program_name(name: &str) -> String {
+    let stem = || name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    match StageName::of(name) {
+        Some(of) if !of.after.is_empty() => format!("{}{}", of.before, of.after),
+        _ => stem().to_string(),
+    }
+}
+
+/// A file name with a word for its stage.
+struct StageName<'n> {
+    before: &'n str,
+    /// The word for the other stage.
+    other: &'static str,
+    after: &'static str,
+    stage: Stage,
+}
+
+impl<'n> StageName<'n> {
+    fn of(name: &'n str) -> Option<StageName<'n>> {
+        let (folder, file) = match name.rfind('/') {
+            Some(slash) => name.split_at(slash + 1),
+            None => ("", name),
+        };
+        let (stem, extension) = match file.strip_suffix(".glsl") {
+            Some(stem) => (stem, ".glsl"),
+            None => (file, ""),
+        };
+        // Without `.glsl`, the word is the extension itself.
+        let is_apart = |c: char, word: &str| match extension {
+            "" => c == '.',
+            _ => {
+                let is_capital = word.starts_with(|w: char| w.is_ascii_uppercase());
+                !c.is_ascii_alphanumeric() || (is_capital && !c.is_ascii_uppercase())
+            }
+        };
+        let pairs = WORDS.iter().flat_map(|(v, f)| {
+            let vertex = (*v, *f, Stage::Vertex);
+            [vertex, (*f, *v, Stage::Fragment)]
+        });
+        for (own, other, stage) in pairs {
+            if let Some(rest) = stem.strip_suffix(own) {
+                let before = rest.chars().next_back();
+                if before.map_or(!extension.is_empty(), |c| is_apart(c, own)) {
+                    let before = name.get(..folder.len() + rest.len())?;
+                    return Some(StageName {
+                        before,
+                        other,
+                        after: extension,
+                        stage,
+                    });
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Where the stages of a program are linked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum LinkedBy {
+    /// In the check of this file.
+    This,
+    /// In the check of the other file, in the same run.
+    Other,
+}
+
+/// Where a file is linked with its partner.
+pub(super) fn linked_by(name: &str, context: CheckContext) -> LinkedBy {
+    match counterpart(name) {
+        Some((other, Stage::Vertex)) if context.is_checked(&other) => LinkedBy::Other,
+        _ => LinkedBy::This,
+    }
+}
+
+/// Reads the other stage of a shader file, if there is one.
+pub(super) fn load(
+    input: &mut SplitInput,
+    name: &str,
+    context: CheckContext,
+) -> Option<ShaderInput> {
+    let [part] = input.parts.as_slice() else {
+        return None;
+    };
+    if !may_be_linked(part) || !input.embedded.is_empty() {
+        return None;
+    }
+    let stage = part.reading()?.stage;
+    let (name, text) = find(name, context)?;
+    let problems = input.problems.len();
+    let file =
+        Arc::make_mut(&mut input.sources).add(name.as_str(), None, Role::User, text.clone())?;
+    let made = shader_part(input, &name, file, &text, context);
+    let other = (input.parts.len() > 1).then(|| input.parts.pop()).flatten();
+    // Errors in the other file are reported when that file is checked.
+    let is_well = input.problems.len() == problems;
+    input.problems.truncate(problems);
+    made?;
+    other.filter(|o| is_well && may_be_linked(o) && o.reading().is_some_and(|r| r.stage != stage))
+}
+
+/// Whether a shader file may be one stage of a program.
+fn may_be_linked(part: &ShaderInput) -> bool {
+    let is_complete = matches!(
+        part.readings.presumed,
+        PresumedCompleteness::Complete
+            | PresumedCompleteness::CompleteIfDeclared
+            | PresumedCompleteness::Unversioned
+    );
+    is_complete && part.may_be_program()
+}
+
+/// Links the shaders of an input, each with its partner, and reports errors.
+pub(super) fn check(
+    input: &SplitInput,
+    partner: Option<(&ShaderInput, LinkedBy)>,
+    settings: &Settings,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    if let (Some((other, linked)), [own]) = (partner, input.parts.as_slice()) {
+        let is_linked = linked == LinkedBy::This;
+        if !diagnostics.iter().any(keeps_from_linking) {
+            let mut found = Vec::new();
+            let more = |_: &Program, _: &Program| {};
+            link_stages(&input.sources, own, other, more, &mut found);
+            diagnostics.extend(found.into_iter().filter(|_| is_linked));
+        }
+        keep_pair(&input.sources, own, other, settings, diagnostics);
+        return;
+    }
+    let file = input.file.and_then(|id| input.sources.file(id));
+    let Some(file) = file.filter(|_| input.embedded.len() > 1) else {
+        return;
+    };
+    let Some(language) = DocumentLanguage::of_extension(&file_extension(&file.path)) else {
+        return;
+    };
+    let parts = programs(input, file.base);
+    // A document shows fragments of several programs.
+    let only = match language {
+        DocumentLanguage::Markdown => return,
+        _ if parts.iter().all(Option::is_some) => pair(&parts, &mut (0..parts.len())),
+        _ => None,
+    };
+    let mut pairs: Vec<(usize, usize)> = match only {
+        Some(only) => vec![only],
+        None => {
+            let groups = together(language, &file.text, &input.embedded);
+            let pairs = groups.iter().map(|g| pair(&parts, &mut g.iter().copied()));
+            pairs.flatten().collect()
+        }
+    };
+    pairs.sort_unstable();
+    pairs.dedup();
+    let length = |i: usize| input.embedded.get(i).map_or(0, |e| e.code.len());
+    let mut budget = MAX_SHARED * file.text.len();
+    for (vertex, fragment) in pairs {
+        let cost = length(vertex) + length(fragment);
+        if cost > budget {
+            return;
+        }
+        budget -= cost;
+        let of = |i: usize| parts.get(i).copied().flatten();
+        let (Some(vertex), Some(fragment)) = (of(vertex), of(fragment)) else {
+            continue;
+        };
+        let mut missing = Vec::new();
+        let more = |vertex: &Program, fragment: &Program| {
+            if only.is_some() {
+                missing = lacking(vertex, fragment, asked(language, &file.text));
+            }
+        };
+        link_stages(&input.sources, vertex, fragment, more, diagnostics);
+        keep_pair(&input.sources, vertex, fragment, settings, diagnostics);
+        let missing = missing.into_iter();
+        diagnostics.extend(missing.filter_map(|m| report_lacking(m, file.base, settings)));
+    }
+}
+
+/// By embedded shader of a page: its shader, if it may be a stage of a program.
+fn programs(input: &SplitInput, base: u32) -> Vec<Option<&ShaderInput>> {
+    let by_start = input.parts.iter().flat_map(|part| {
+        let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
+        let codes = files.iter().filter_map(|id| input.sources.code(*id));
+        codes.map(move |code| (code.base, part))
+    });
+    let by_start: HashMap<u32, &ShaderInput> = by_start.collect();
+    let of = |embedded: &Embedded| {
+        let part = *by_start.get(&(base + embedded.start as u32))?;
+        part.may_be_program().then_some(part)
+    };
+    input.embedded.iter().map(of).collect()
+}
+
+/// The vertex and the fragment shader, if there is one of each.
+fn pair(
+    parts: &[Option<&ShaderInput>],
+    members: &mut dyn Iterator<Item = usize>,
+) -> Option<(usize, usize)> {
+    let (mut vertex, mut fragment) = (None, None);
+    for index in members {
+        let slot = match parts.get(index).copied().flatten()?.reading()?.stage {
+            Stage::Vertex => &mut vertex,
+            Stage::Fragment => &mut fragment,
+        };
+        if slot.replace(index).is_some() {
+            return None;
+        }
+    }
+    Some((vertex?, fragment?))
+}
+
+/// Links a vertex and a fragment shader. `more` is called if both are complete and without errors.
+fn link_stages(
+    sources: &Arc<Sources>,
+    one: &ShaderInput,
+    other: &ShaderInput,
+    more: impl FnOnce(&Program, &Program),
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let (vertex, fragment) = match one.reading().map(|r| r.stage) {
+        Some(Stage::Vertex) => (one, other),
+        _ => (other, one),
+    };
+    // Fragments may have several versions; a host uses the same version for both stages.
+    let mut fragments = None;
+    for (of_vertex, own) in programs_of(sources, vertex) {
+        let all = || programs_of(sources, fragment).collect::<Vec<_>>();
+        for (of_fragment, reading) in fragments.get_or_insert_with(all) {
+            let starts_with_user = |r: &Reading| {
+                let first = r.files.first().and_then(|id| sources.code(*id));
+                first.is_some_and(|c| c.role == Role::User)
+            };
+            let has_versions = starts_with_user(own) && starts_with_user(reading);
+            if of_vertex.program.version == of_fragment.program.version || has_versions {
+                let found = link(&of_vertex.program, &of_fragment.program);
+                let is_known = !of_vertex.lacks_names && !of_fragment.lacks_names;
+                // A name that is not declared may assign a varying.
+                diagnostics.extend(found.into_iter().filter(|d| is_known || is_error(d)));
+                if is_known {
+                    more(&of_vertex.program, &of_fragment.program);
+                }
+                return;
+            }
+        }
+    }
+}
+
+/// Keeps the stages of a program in one version.
+fn keep_pair(
+    sources: &Arc<Sources>,
+    one: &ShaderInput,
+    other: &ShaderInput,
+    settings: &Settings,
+    diagnostics: &mut [Diagnostic],
+) {
+    if settings.target_version().is_none() {
+        return;
+    }
+    let program = |part: &ShaderInput| {
+        if let Some(analysis) = &part.analysis {
+            return Some(analysis.program.clone());
+        }
+        let reading = part.reading()?;
+        let checked = analyze(&Unit {
+            sources,
+            files: &reading.files,
+            stage: reading.stage,
+            dialect: reading.dialect,
+            infer_channels: false,
+            completeness: Completeness::Complete,
+        });
+        Some(Arc::new(checked.program))
+    };
+    let (Some(one), Some(other)) = (program(one), program(other)) else {
+        return;
+    };
+    let pair = match one.stage {
+        Stage::Vertex => (&*one, &*other),
+        Stage::Fragment => (&*other, &*one),
+    };
+    upgrade::keep_pair(pair, settings, diagnostics);
+}
+
+fn is_error(d: &Diagnostic) -> bool {
+    d.severity == Severity::Error
+}
+
+/// Whether an error prevents linking: undeclared names do not affect the interface between stages.
+fn keeps_from_linking(d: &Diagnostic) -> bool {
+    is_error(d) && !d.is(error::UNDECLARED_NAME)
+}
+
+/// A stage that may be linked.
+struct LinkedStage {
+    program: Arc<Program>,
+    /// Whether it uses names that it does not declare.
+    lacks_names: bool,
+}
+
+/// The readings of a shader in which it is complete and has no errors except unknown names.
+fn programs_of<'p>(
+    sources: &'p Arc<Sources>,
+    part: &'p ShaderInput,
+) -> impl Iterator<Item = (LinkedStage, &'p Reading)> {
+    let readings = part.may_be_program().then_some(&part.readings.all);
+    let readings = readings.into_iter().flatten().enumerate();
+    let is_closed = part.missing.is_empty() && !part.readings.has_gaps();
+    readings.filter_map(move |(index, reading)| {
+        // A complete shader was checked in its first reading.
+        let is_checked = |a: &&Analysis| index == 0 && a.completeness == Completeness::Complete;
+        let checked = part.analysis.as_ref().filter(is_checked);
+        let stage = match checked.filter(|a| !a.has_errors) {
+            Some(analysis) => LinkedStage {
+                program: analysis.program.clone(),
+                lacks_names: false,
+            },
+            None => {
+                let checked = analyze(&Unit {
+                    sources,
+                    files: &reading.files,
+                    stage: reading.stage,
+                    dialect: reading.dialect,
+                    infer_channels: false,
+                    completeness: Completeness::Complete,
+                });
+                let mut found = checked.diagnostics.iter().filter(|d| is_error(d));
+                let lacks_names = found.next().is_some();
+                if checked.diagnostics.iter().any(keeps_from_linking) || lacks_names && !is_closed {
+                    return None;
+                }
+                LinkedStage {
+                    program: Arc::new(checked.program),
+                    lacks_names,
+                }
+            }
+        };
+        let program = &stage.program;
+        let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";
+        let has_main = program.functions.iter().any(is_main);
+        has_main.then_some((stage, reading))
+    })
+}
+
+/// A uniform that a page sets and its shaders do not declare.
+struct Lacking {
+    asked: Asked,
+    near: Option<String>,
+}
+
+fn lacking(vertex: &Program, fragment: &Program, asked: Vec<Asked>) -> Vec<Lacking> {
+    let mut uniforms: BTreeSet<&str> = BTreeSet::new();
+    for program in [vertex, fragment] {
+        // Inactive code may declare more.
+        let is_user = |span: &Span| program.sources.is_user(span.start);
+        if program.tokens.inactive.iter().any(is_user) {
+            return Vec::new();
+        }
+        let all = program.variables.iter();
+        let declared = all.filter(|v| v.storage == Storage::Uniform);
+        uniforms.extend(declared.map(|v| program.names.text(v.name)));
+        let records = program.structs.iter().filter_map(|s| s.name);
+        uniforms.extend(records.map(|n| program.names.text(n)));
+    }
+    let is_lacking = |a: &Asked| !uniforms.contains(a.name.as_str());
+    let near = |name: &str| {
+        let limit = if name.len() < 6 { 1 } else { 2 };
+        let distances = uniforms.iter().map(|u| {
+            let (a, b) = (u.to_ascii_lowercase(), name.to_ascii_lowercase());
+            (strsim::damerau_levenshtein(&a, &b), *u)
+        });
+        let near = distances.filter(|(d, _)| *d <= limit).min();
+        near.map(|(_, u)| u.to_string())
+    };
+    let lacking = asked.into_iter().filter(is_lacking).take(MAX_LACKING);
+    lacking
+        .map(|asked| Lacking {
+            near: near(&asked.name),
+            asked,
+        })
+        .collect()
+}
+
+fn report_lacking(lacking: Lacking, base: u32, settings: &Settings) -> Option<Diagnostic> {
+    let rule = rule("unknown-uniform")?;
+    let severity = settings.level(rule)?;
+    let Lacking { asked, near } = lacking;
+    let (start, end) = (asked.range.start as u32, asked.range.end as u32);
+    let span = Span::new(base + start, base + end);
+    let message = format!(
+        "no shader in this file declares the uniform `{}`",
+        asked.name
+    );
+    let d = Diagnostic::new(rule.name, Origin::Rule, severity, span, message)
+        .note("the program has no location for it, so setting it has no effect");
+    Some(match near {
+        Some(near) => d.help(format!("did you mean `{near}`?")),
+        None => d,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(name: &str, expected: &str) {
+        let other = counterpart(name).map(|(other, _)| other);
+        assert_eq!(other.as_deref().unwrap_or(""), expected, "{name}");
+    }
+
+    #[test]
+    fn vertex_and_fragment_files_are_paired_by_name() {
+        check("a/b.vert", "a/b.frag");
+        check("b.fs", "b.vs");
+        check("b.vert.glsl", "b.frag.glsl");
+        check("water_fragment.glsl", "water_vertex.glsl");
+        check("waterFrag.glsl", "waterVert.glsl");
+        check("shaders/vertex.glsl", "shaders/fragment.glsl");
+        check("convert.glsl", "");
+        check("avert", "");
+        check("vert", "");
+        check("defrag.glsl", "");
+        check("a.glsl", "");
+    }
+}

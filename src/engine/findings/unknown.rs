@@ -1,0 +1,200 @@
+//! The severity of undeclared names in texts that a host may complete.
+//!
+//! A text is complete if no host can add to it: then an undeclared name is an error. In an open
+//! text it is a warning if it looks like a typo and appears nowhere else in the repository; all
+//! others are listed in one info per file.
+
+use super::typo::{Vocabulary, is_typo, variables};
+use crate::hosts::host::Hosts;
+use crate::shader::reading::code_of;
+use crate::shader::shader_input::ShaderInput;
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_explain::Checked;
+use shaderlint_host::matches_any;
+use shaderlint_semantic::{BuiltinId, Completeness};
+use shaderlint_text::{Edit, Sources, Span};
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// Maximum number of names that an info lists.
+const MAX_LISTED: usize = 12;
+
+/// The names that the hosts of a file have to declare, and the first use.
+#[derive(Default)]
+pub struct Unresolved {
+    first: Option<Span>,
+    names: BTreeSet<String>,
+}
+
+/// Adds undeclared names to the diagnostics of a shader if they are mistakes, and to `unresolved`
+/// if a host may declare them.
+pub fn decide_severity(
+    sources: &Arc<Sources>,
+    part: &ShaderInput,
+    checked: &mut Checked,
+    hosts: &Hosts,
+    unresolved: &mut Unresolved,
+) {
+    if part.readings.is_shown() {
+        return;
+    }
+    let code = code_of(sources, part.reading().map_or(&[], |r| &r.files));
+    let vocabulary = LazyCell::new(|| Vocabulary::of(&code));
+    if !checked.program.tokens.undecided.is_empty() {
+        report_inactive(checked, &vocabulary, hosts);
+    }
+    if checked.completeness == Completeness::Complete {
+        return;
+    }
+    let mut unknown = checked.open.unknown.clone();
+    // Interpolated names are unknown.
+    unknown.retain(|d| {
+        let word = sources.text(d.span);
+        is_word(word) && !matches_any(&part.readings.declared_at_times, word)
+    });
+    for d in &mut unknown {
+        suggest(d, sources.text(d.span), &vocabulary);
+    }
+    let openness = Openness::of(part, &unknown, |d| {
+        let word = sources.text(d.span);
+        is_near(d, word) && vocabulary.count(word) == 1
+    });
+    let (mut mistakes, others): (Vec<Diagnostic>, Vec<Diagnostic>) =
+        unknown.into_iter().partition(|d| {
+            let word = sources.text(d.span);
+            let may_be = openness != Openness::Open || is_near(d, word);
+            may_be && !hosts.is_used_outside(word, vocabulary.count(word))
+        });
+    let named = |d: &Diagnostic| sources.text(d.span).to_string();
+    unresolved.first = unresolved.first.or(others.first().map(|d| d.span));
+    unresolved.names.extend(others.iter().map(named));
+    part.readings
+        .confirm(sources, checked.completeness, &mut mistakes);
+    if openness != Openness::Complete {
+        let severities = mistakes.iter_mut().map(|d| &mut d.severity);
+        severities.for_each(|s| *s = Severity::Warning);
+    }
+    checked.diagnostics.append(&mut mistakes);
+    sort(&mut checked.diagnostics);
+}
+
+fn sort(diagnostics: &mut [Diagnostic]) {
+    diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
+}
+
+/// What a host may add to a text.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Openness {
+    /// No declarations.
+    Complete,
+    /// Nothing that is known: it has an entry function, and declares all names except one.
+    Closed,
+    /// Any declarations.
+    Open,
+}
+
+impl Openness {
+    fn of(
+        part: &ShaderInput,
+        unknown: &[Diagnostic],
+        is_typo: impl Fn(&Diagnostic) -> bool,
+    ) -> Openness {
+        let readings = &part.readings;
+        if !readings.holds_entry() || readings.has_gaps() || !part.missing.is_empty() {
+            return Openness::Open;
+        }
+        let is_known = match readings.hosts.is_empty() {
+            true => part.embedder.hands_over,
+            false => readings.are_hosts_complete,
+        };
+        // A text in which all undeclared names are typos needs no host.
+        if is_known || unknown.iter().all(is_typo) {
+            Openness::Complete
+        } else if unknown.len() == 1 {
+            Openness::Closed
+        } else {
+            Openness::Open
+        }
+    }
+}
+
+/// Suggests a declared name if the checker found none: the declaration may be in code that was not
+/// parsed.
+fn suggest(d: &mut Diagnostic, word: &str, vocabulary: &Vocabulary) {
+    if d.fix.is_none() && d.labels.is_empty() {
+        d.fix = vocabulary.nearest(word).map(|near| meant(d.span, near));
+    }
+}
+
+fn meant(span: Span, near: &str) -> Fix {
+    let edits = vec![Edit::replace(span, near)];
+    Fix::suggestion(format!("did you mean `{near}`?"), edits)
+}
+
+/// Reports typos in inactive `#if` groups that the host may activate.
+fn report_inactive(checked: &mut Checked, vocabulary: &Vocabulary, hosts: &Hosts) {
+    let program = &checked.program;
+    let (sources, tokens) = (&program.sources, &program.tokens);
+    let groups = tokens
+        .inactive
+        .iter()
+        .filter(|span| sources.is_user(span.start) && tokens.is_undecided(**span));
+    for group in groups {
+        for (at, word) in variables(sources.text(*group)) {
+            let is_known = program.names.get(word).is_some()
+                || BuiltinId::named(word).is_some()
+                || vocabulary.count(word) != 1;
+            let near = || vocabulary.nearest(word);
+            let Some(near) = (!is_known).then(near).flatten() else {
+                continue;
+            };
+            if hosts.is_used_outside(word, 1) {
+                continue;
+            }
+            let start = group.start + at as u32;
+            let span = Span::new(start, start + word.len() as u32);
+            let message = format!("`{word}` is not declared");
+            let d = Diagnostic::of(error::UNDECLARED_NAME, Severity::Warning, span, message);
+            checked.diagnostics.push(d.fix(Some(meant(span, near))));
+        }
+    }
+    sort(&mut checked.diagnostics);
+}
+
+fn is_word(text: &str) -> bool {
+    text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// Whether a name looks like a typo of a declared name, or is declared but not visible.
+fn is_near(d: &Diagnostic, word: &str) -> bool {
+    let near = d.fix.as_ref().and_then(|f| f.edits.first());
+    !d.labels.is_empty() || near.is_some_and(|edit| is_typo(word, &edit.text))
+}
+
+impl Unresolved {
+    /// The info about these names.
+    pub fn report(self) -> Option<Diagnostic> {
+        let count = self.names.len();
+        let listed: Vec<String> = self
+            .names
+            .iter()
+            .take(MAX_LISTED)
+            .map(|n| format!("`{n}`"))
+            .collect();
+        let more = count - listed.len();
+        let message = match (self.names.first()?, more) {
+            (name, _) if count == 1 => format!("`{name}` is not declared in this file"),
+            (_, 0) => format!(
+                "{count} names are not declared in this file: {}",
+                listed.join(", ")
+            ),
+            (_, more) => format!(
+                "{count} names are not declared in this file: {} and {more} more",
+                listed.join(", ")
+            ),
+        };
+        let d = Diagnostic::of(error::UNDECLARED_NAME, Severity::Info, self.first?, message);
+        Some(d.note("names that a shader fragment does not declare must be declared by its host"))
+    }
+}

@@ -1,0 +1,93 @@
+//! The `#version` of GLSL ES 3.00 where it is missing.
+
+use crate::hosts::host::Hosts;
+use crate::shader::reading::code_of;
+use crate::shader::shader_input::ShaderInput;
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_explain::Checked;
+use shaderlint_semantic::Completeness;
+use shaderlint_syntax::{Version, WordClass, classify};
+use shaderlint_text::{Edit, Role, Sources, Span};
+
+/// Reports a shader that requires GLSL ES 3.00 but has no `#version`: an error if it is compiled
+/// unchanged, a warning in a file that no known host completes.
+pub fn missing(
+    sources: &Sources,
+    part: &ShaderInput,
+    checked: &Checked,
+    hosts: &Hosts,
+) -> Option<Diagnostic> {
+    if checked.completeness == Completeness::Excerpt {
+        return None;
+    }
+    let files = &part.reading()?.files;
+    let own = |id: &&_| sources.code(**id).is_some_and(|c| c.role == Role::User);
+    let first = sources.code(*files.iter().find(own)?)?;
+    let at = part.readings.lacks_version(first.text)?;
+    // Included files may require GLSL ES 3.00 as well.
+    let is_alone = code_of(sources, files).len() == first.text.len();
+    let severity = match part.readings.is_compiled() {
+        true => Severity::Error,
+        false if is_alone && !part.readings.is_handed_over() && hosts.adds_no_version() => {
+            Severity::Warning
+        }
+        false => return None,
+    };
+    let word = first.text.get(at.clone())?;
+    let span = Span::new(first.base + at.start as u32, first.base + at.end as u32);
+    let message = format!("`{word}` requires GLSL ES 3.00, but `#version 300 es` is missing");
+    let edit = Edit::insert(first.base, "#version 300 es\n");
+    let d = Diagnostic::of(error::NEEDS_WEBGL2, severity, span, message)
+        .note("a shader without `#version` is GLSL ES 1.00 (section 3.4)");
+    let title = "add `#version 300 es` as the first line";
+    Some(d.fix(Some(Fix::suggestion(title, vec![edit]))))
+}
+
+/// Lowers the errors of words that only GLSL ES 3.00 reserves to warnings, in a text without `#version`
+/// whose host is unknown: some hosts compile such a text as GLSL ES 1.00 and define `in` and `out`.
+pub fn lower_reserved_words(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
+    let readings = &part.readings;
+    let has_host = !readings.hosts.is_empty() || readings.is_compiled();
+    if has_host || readings.has_version() || checked.program.dialect.is_shadertoy() {
+        return;
+    }
+    for d in &mut checked.diagnostics {
+        let is_free = |span| classify(sources.text(span), Version::Es100) == WordClass::Plain;
+        if d.is(error::RESERVED_WORD) && is_free(d.span) {
+            d.severity = Severity::Warning;
+            d.notes.push(
+                "a host without `#version` may compile it as GLSL ES 1.00, which allows it"
+                    .to_string(),
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{NoFiles, Options, check};
+    use shaderlint_diagnostic::{Severity, error};
+
+    #[track_caller]
+    fn reserved_word(head: &str, word: &str) -> Severity {
+        let text = format!(
+            "{head}precision highp float;\nin vec2 v;\nout vec4 c;\nuniform sampler2D t;\n\
+             void main() {{ vec4 {word} = texture(t, v); c = {word}; }}\n"
+        );
+        let report = check("a.frag", &text, &Options::default(), &NoFiles);
+        let mut found = report.diagnostics.iter();
+        let found = found.find(|d| d.is(error::RESERVED_WORD));
+        found.map(|d| d.severity).expect("the word is reserved")
+    }
+
+    #[test]
+    fn words_reserved_in_one_version_only_are_warnings() {
+        assert_eq!(reserved_word("", "sample"), Severity::Warning);
+        assert_eq!(
+            reserved_word("#version 300 es\n", "sample"),
+            Severity::Error
+        );
+        // Both versions reserve it.
+        assert_eq!(reserved_word("", "cast"), Severity::Error);
+    }
+}

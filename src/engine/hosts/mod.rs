@@ -1,0 +1,4 @@
+//! The hosts of shaders: which may complete a text, and what they make of it.
+
+pub mod host;
+pub mod hosted;

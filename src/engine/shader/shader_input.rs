@@ -1,0 +1,106 @@
+//! One shader of an input.
+
+use super::analysis::Analysis;
+use super::reading::{PresumedCompleteness, Reading, Readings};
+use crate::include::MissingInclude;
+use shaderlint_detect::embed::Embedder;
+use shaderlint_host::Preset;
+use shaderlint_lint::SkippedRules;
+use shaderlint_port::PassUnit;
+use shaderlint_semantic::{Completeness, Dialect, Stage};
+use shaderlint_syntax::Version;
+use shaderlint_text::FileId;
+use std::collections::BTreeSet;
+
+/// One shader of an input.
+pub struct ShaderInput {
+    /// The possible readings of the text.
+    pub readings: Readings,
+    /// Whether the types of its channels are inferred.
+    pub infer_channels: bool,
+    /// The page or script that contains it.
+    pub embedder: Embedder,
+    /// By channel: whether its texture has mipmaps; `None` if unknown.
+    pub mipmapped: [Option<bool>; 4],
+    /// Includes that were not found.
+    pub missing: Vec<MissingInclude>,
+    /// The host that composes the shader, if the composed text is what is checked.
+    pub host: Option<&'static Preset>,
+    /// The checked shader, if it is kept.
+    pub analysis: Option<Analysis>,
+}
+
+impl ShaderInput {
+    /// A pass of an export.
+    pub fn of_pass(unit: PassUnit) -> ShaderInput {
+        let reading = Reading {
+            files: unit.files,
+            stage: Stage::Fragment,
+            dialect: Dialect::ShaderToy(unit.kind),
+        };
+        ShaderInput {
+            readings: Readings::of_complete(reading),
+            infer_channels: false,
+            embedder: Embedder::default(),
+            mipmapped: unit.mipmapped,
+            missing: Vec::new(),
+            host: None,
+            analysis: None,
+        }
+    }
+
+    /// A shader with everything that its host adds.
+    pub fn hosted(readings: Readings, host: &'static Preset) -> ShaderInput {
+        ShaderInput {
+            readings,
+            infer_channels: false,
+            embedder: Embedder::default(),
+            mipmapped: [None; 4],
+            missing: Vec::new(),
+            host: Some(host),
+            analysis: None,
+        }
+    }
+
+    /// The most likely reading.
+    pub fn reading(&self) -> Option<&Reading> {
+        self.readings.all.first()
+    }
+
+    /// Whether it may be linked with another stage.
+    pub fn may_be_program(&self) -> bool {
+        self.readings.presumed != PresumedCompleteness::Excerpt
+            && self.reading().is_some_and(|r| !r.dialect.is_shadertoy())
+    }
+}
+
+/// One shader of a file, and how far rules checked it.
+#[derive(Clone, Debug)]
+pub struct Shader {
+    /// The last of its files.
+    pub file: Option<FileId>,
+    /// Vertex or fragment stage.
+    pub stage: Stage,
+    /// Number of tokens and macro calls.
+    pub size: usize,
+    /// ShaderToy pass or WebGL shader.
+    pub dialect: Dialect,
+    /// GLSL version.
+    pub version: Version,
+    /// Whether it is a complete shader or a fragment.
+    pub completeness: Completeness,
+    /// Where rules did not run.
+    pub skipped: SkippedRules,
+    /// Whether the browser would reject it.
+    pub has_errors: bool,
+    /// Number of findings dropped because there are too many.
+    pub left_out: usize,
+    /// Names that its host has to declare.
+    pub holes: BTreeSet<String>,
+    /// The hosts that may complete it.
+    pub hosts: Vec<String>,
+    /// The host that composes the shader, if the composed text was checked.
+    pub host: Option<&'static Preset>,
+    /// Includes that were not found.
+    pub missing: Vec<MissingInclude>,
+}

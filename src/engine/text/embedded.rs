@@ -1,0 +1,263 @@
+//! Shaders embedded in pages, scripts and documents.
+
+use super::foreign;
+use super::leading_blanks::leading_blanks;
+use crate::check_context::CheckContext;
+use crate::hosts::hosted;
+use crate::options::Options;
+use crate::shader::input::SplitInput;
+use crate::shader::reading::{InputText, Readings, Surroundings};
+use crate::shader::shader_input::ShaderInput;
+use shaderlint_detect::embed::{DocumentLanguage, Embedded, Embedder, LeadingBlanks, Wrapping};
+use shaderlint_detect::kind::own_directive;
+use shaderlint_diagnostic::{Applicability, Diagnostic, error};
+use shaderlint_host::shadertoy;
+use shaderlint_semantic::snippet::{SnippetItem, items};
+use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
+use shaderlint_syntax::{Version, WordClass, classify};
+use shaderlint_text::{FileId, Role};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Maximum number of scopes in an excerpt, and of declarations in a chapter.
+const MAX_SCOPES: usize = 100;
+
+/// Adds the embedded shaders of a file. `None` if they are too large.
+pub fn parts(
+    input: &mut SplitInput,
+    name: &str,
+    language: DocumentLanguage,
+    file: FileId,
+    text: &str,
+    context: CheckContext,
+) -> Option<()> {
+    let options = context.options;
+    let mut all = std::mem::take(&mut input.embedded);
+    // A document shows code of several programs.
+    let embedder = match language {
+        DocumentLanguage::Markdown => Embedder::default(),
+        DocumentLanguage::Html | DocumentLanguage::Script | DocumentLanguage::Component => {
+            let own = Embedder::of(text);
+            // What scripts do with leading white space only matters for shaders that start with it.
+            let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
+            match all.iter().any(starts_blank) {
+                true => Embedder {
+                    leading_blanks: leading_blanks(name, text, own, context),
+                    ..own
+                },
+                false => own,
+            }
+        }
+    };
+    if embedder.leading_blanks == LeadingBlanks::Trimmed {
+        all.iter_mut().for_each(Embedded::trim_start);
+    }
+    let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
+    // A script that contains `#version` may write it before any of its shaders.
+    let is_compiled = embedder.hands_over && !text.contains("#version");
+    let mut known = ChapterVariables::default();
+    for embedded in &all {
+        known.enter(embedded.chapter);
+        if own_directive(&embedded.code).is_some() {
+            continue;
+        }
+        if foreign::is_reported(&embedded.code, options) {
+            let place = (file, embedded.start);
+            if hosted::part(input, name, place, &embedded.code, context)? {
+                continue;
+            }
+        }
+        if foreign::inside(input, file, embedded, options)? {
+            continue;
+        }
+        let around = FileContext {
+            embedder,
+            is_300,
+            is_compiled,
+        };
+        let part = part(input, file, embedded, around, &mut known, options)?;
+        input.parts.push(part);
+    }
+    input.embedded = all;
+    Some(())
+}
+
+/// What is known about the file around a shader.
+#[derive(Clone, Copy)]
+struct FileContext {
+    embedder: Embedder,
+    /// Whether it uses only GLSL ES 3.00.
+    is_300: bool,
+    /// Whether it compiles its shaders itself, unchanged.
+    is_compiled: bool,
+}
+
+/// Whether shaders of a document use GLSL ES 3.00 or ShaderToy, and none uses 1.00. Then its
+/// excerpts have that version too.
+fn speaks_of_300(all: &[Embedded]) -> bool {
+    let shadertoy = shadertoy();
+    let words = shadertoy.map_or(&[][..], |p| p.words.as_slice());
+    let is_new = |e: &Embedded| {
+        let uses_player = words.iter().any(|w| e.code.contains(w.as_str()));
+        uses_player || guess(&e.code).is_shadertoy() || needs_300(&e.code)
+    };
+    let is_old = |e: &Embedded| guess(&e.code).kind == Some(GuessedKind::WebGl1);
+    all.iter().any(is_new) && !all.iter().any(is_old)
+}
+
+fn part(
+    input: &mut SplitInput,
+    file: FileId,
+    embedded: &Embedded,
+    around: FileContext,
+    known: &mut ChapterVariables,
+    options: &Options,
+) -> Option<ShaderInput> {
+    let code = embedded.code.as_str();
+    let guessed = guess(code);
+    let has_entry =
+        guessed.has_main || guessed.is_shadertoy() || code.trim_start().starts_with("#version");
+    let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
+    let is_excerpt = is_shown && (!has_entry || embedded.has_holes);
+    let files = if is_excerpt {
+        excerpt(input, file, embedded, known)?
+    } else {
+        vec![Arc::make_mut(&mut input.sources).embed(file, embedded.start, code)?]
+    };
+    let text = InputText {
+        files,
+        stage: embedded.is_vertex.then_some(Stage::Vertex),
+        surroundings: match embedded.wrapping {
+            Wrapping::Element => Surroundings::Element,
+            Wrapping::Template | Wrapping::Quotes => Surroundings::Literal,
+            Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
+        },
+        is_open: false,
+        is_compiled: around.is_compiled && !is_shown,
+        is_300: around.is_300,
+        has_holes: is_excerpt || embedded.has_holes,
+    };
+    let readings = Readings::of(
+        Arc::make_mut(&mut input.sources),
+        (code, guessed),
+        text,
+        options,
+    )?;
+    let first = readings.all.first()?;
+    Some(ShaderInput {
+        infer_channels: first.dialect.is_shadertoy(),
+        readings,
+        embedder: around.embedder,
+        mipmapped: [None; 4],
+        missing: Vec::new(),
+        host: None,
+        analysis: None,
+    })
+}
+
+/// Completes an excerpt: its functions and directives, then its statements in a function. Each
+/// declaration opens a new scope, because documents repeat names.
+fn excerpt(
+    input: &mut SplitInput,
+    file: FileId,
+    embedded: &Embedded,
+    known: &mut ChapterVariables,
+) -> Option<Vec<FileId>> {
+    let sources = Arc::make_mut(&mut input.sources);
+    let items = items(&embedded.code);
+    if items.iter().all(|i| matches!(i, SnippetItem::Global(_))) {
+        return Some(vec![sources.embed(
+            file,
+            embedded.start,
+            embedded.code.as_str(),
+        )?]);
+    }
+    let mut globals = Vec::new();
+    let mut statements = Vec::new();
+    let open = sources.add("", None, Role::Prelude, "{")?;
+    let mut scopes = 0;
+    let mut declared = Vec::new();
+    for item in items {
+        let (range, into) = match &item {
+            SnippetItem::Global(range) => (range, &mut globals),
+            SnippetItem::Declaration(range) | SnippetItem::Statement(range) => {
+                (range, &mut statements)
+            }
+        };
+        if matches!(item, SnippetItem::Declaration(_)) && scopes < MAX_SCOPES {
+            into.push(open);
+            scopes += 1;
+        }
+        let code = embedded.code.get(range.clone())?;
+        if matches!(item, SnippetItem::Declaration(_)) {
+            declared.push(code);
+        }
+        into.push(sources.embed(file, embedded.start + range.start, code)?);
+    }
+    let function = format!("\nvoid excerpt_of_a_shader() {{\n{}", known.declarations());
+    let function = sources.add("", None, Role::Prelude, function)?;
+    let close = sources.add("", None, Role::Prelude, "\n}".repeat(scopes + 1))?;
+    globals.push(function);
+    globals.append(&mut statements);
+    globals.push(close);
+    declared.into_iter().for_each(|code| known.declare(code));
+    Some(globals)
+}
+
+/// The variables that excerpts of a chapter have declared so far.
+#[derive(Default)]
+struct ChapterVariables {
+    chapter: u32,
+    /// By name: the type, or `None` if the document declares several.
+    types: BTreeMap<String, Option<String>>,
+}
+
+impl ChapterVariables {
+    fn enter(&mut self, chapter: u32) {
+        if chapter != self.chapter {
+            self.chapter = chapter;
+            self.types.clear();
+        }
+    }
+
+    fn declare(&mut self, code: &str) {
+        let Some((ty, rest)) = code.split_once(char::is_whitespace) else {
+            return;
+        };
+        let rest = rest.trim_start();
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let (name, after) = rest.split_at(end.unwrap_or(rest.len()));
+        let of_type = classify(ty, Version::Es300);
+        if matches!(of_type, WordClass::Type(_))
+            && self.types.len() < MAX_SCOPES
+            && after.trim_start().starts_with(['=', ';'])
+        {
+            let known = self.types.entry(name.to_string());
+            let known = known.or_insert_with(|| Some(ty.to_string()));
+            if known.as_deref() != Some(ty) {
+                *known = None;
+            }
+        }
+    }
+
+    fn declarations(&self) -> String {
+        let of =
+            |(name, ty): (&String, &Option<String>)| Some(format!("{} {name};\n", ty.as_ref()?));
+        self.types.iter().filter_map(of).collect()
+    }
+}
+
+/// Replaces a fix that cannot be written in the surrounding language with a help.
+pub fn note_fix(diagnostic: &mut Diagnostic) {
+    let Some(fix) = diagnostic.fix.take() else {
+        return;
+    };
+    if fix.applicability == Applicability::Safe || diagnostic.help.is_empty() {
+        let is_version = diagnostic.is(error::VERSION_PLACEMENT);
+        diagnostic.help.push(if is_version {
+            "start the string with `#version`".to_string()
+        } else {
+            fix.title
+        });
+    }
+}

@@ -1,0 +1,6 @@
+//! Which shaders are in the text of a file.
+
+pub mod embedded;
+pub mod foreign;
+mod leading_blanks;
+pub mod shader_file;
