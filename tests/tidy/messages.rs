@@ -18,7 +18,11 @@ fn messages_are_in_the_file_of_their_problem() {
         all.find(|(_, text)| text.contains(&head))
     };
     let place = |file: &str| {
-        let bases = ["src/semantic/checker/", "src/semantic/", "src/explain/messages/"];
+        let bases = [
+            "src/semantic/checker/",
+            "src/semantic/",
+            "src/explain/messages/",
+        ];
         let mut all = bases.iter().filter_map(|base| file.strip_prefix(base));
         all.next().map(str::to_string)
     };
