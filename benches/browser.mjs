@@ -1,17 +1,9 @@
 // node browser.mjs FILE...: prints a JSON list with the milliseconds that Chromium needs to compile
-// each shader. BROWSER_MODULES is the folder whose node_modules contains playwright-core; CHROMIUM is
-// the path of the browser.
-import { createRequire } from 'node:module';
+// each shader.
 import fs from 'node:fs';
-import path from 'node:path';
+import { launch } from '../tests/browser/browser.js';
 
-const require = createRequire(path.resolve(process.env.BROWSER_MODULES, 'package.json'));
-const { chromium } = require('playwright-core');
-
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog'],
-});
+const { browser, kill } = await launch();
 const page = await browser.newPage();
 await page.setContent('<canvas></canvas>');
 
@@ -33,5 +25,5 @@ const times = await page.evaluate((sources) => {
   return sources.map(compile);
 }, process.argv.slice(2).map((file) => fs.readFileSync(file, 'utf8')));
 
-await browser.close();
+await kill();
 console.log(JSON.stringify(times));

@@ -1,18 +1,10 @@
 // node draw.mjs WIDTH HEIGHT TIME FILE...: prints a JSON list with the times of Chromium's software
 // renderer for each shader written by `shaderport --target glsl`: milliseconds from the source text to
-// the bytes of the first frame, and for one more frame. BROWSER_MODULES is the folder whose
-// node_modules contains playwright-core; CHROMIUM is the path of the browser.
-import { createRequire } from 'node:module';
+// the bytes of the first frame, and for one more frame.
 import fs from 'node:fs';
-import path from 'node:path';
+import { launch } from '../tests/browser/browser.js';
 
-const require = createRequire(path.resolve(process.env.BROWSER_MODULES, 'package.json'));
-const { chromium } = require('playwright-core');
-
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog'],
-});
+const { browser, kill } = await launch();
 const page = await browser.newPage();
 await page.setContent('<canvas></canvas>');
 
@@ -22,7 +14,7 @@ const shaders = process.argv.slice(5).map((file) => ({
   vertex: fs.readFileSync(file.replace(/\.frag$/, '.vert'), 'utf8'),
 }));
 
-const told = await page.evaluate(([width, height, time, shaders]) => {
+const measured = await page.evaluate(([width, height, time, shaders]) => {
   const canvas = document.querySelector('canvas');
   Object.assign(canvas, { width, height });
   const gl = canvas.getContext('webgl2');
@@ -68,6 +60,6 @@ const told = await page.evaluate(([width, height, time, shaders]) => {
   });
 }, [width, height, time, shaders]);
 
-if (told.some(({ colors }) => colors < 2)) throw new Error('a shader drew a single colour');
-console.log(JSON.stringify(told));
-await browser.close();
+if (measured.some(({ colors }) => colors < 2)) throw new Error('a shader drew a single colour');
+console.log(JSON.stringify(measured));
+await kill();

@@ -67,7 +67,7 @@ fn is_mouse(cx: &Context, e: ExprId, lane: u32) -> bool {
         && cx.facts.is_given(origin, "iMouse")
 }
 
-/// Whether the condition around a comparison tests `iMouse.z`, too: the two states are told apart.
+/// Whether the condition around a comparison tests `iMouse.z`, too: the two states are distinguished.
 fn has_button_test(cx: &Context, e: ExprId) -> bool {
     let (structure, tree) = (cx.facts.structure(), &cx.program.tree);
     let mut around = e;

@@ -1,6 +1,7 @@
 //! The command line as people and programs use it: flags, exit codes, and every format on one
 //! fixture.
 
+use super::scratch::Scratch;
 use insta_cmd::{assert_cmd_snapshot, get_cargo_bin};
 use std::fs;
 use std::io::Write;
@@ -173,48 +174,33 @@ fn output_is_deterministic() {
     assert_eq!(run(), run());
 }
 
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        Folder(tempfile::tempdir().unwrap())
+/// Exit code and messages of `shaderport` in a folder, where the first argument may name a fixture.
+fn port(folder: &Scratch, args: &[&str]) -> (Option<i32>, String) {
+    let mut all: Vec<String> = args.iter().map(|a| a.to_string()).collect();
+    if let Some(input) = all.first_mut()
+        && !input.starts_with('-')
+    {
+        *input = fixtures().join(&input).to_string_lossy().into_owned();
     }
+    let out = folder.port_command("").args(&all).output().unwrap();
+    let fixtures = format!("{}/", fixtures().display());
+    let text = String::from_utf8(out.stderr).unwrap();
+    (out.status.code(), text.replace(&fixtures, ""))
+}
 
-    fn port(&self, args: &[&str]) -> (Option<i32>, String) {
-        let mut all: Vec<String> = args.iter().map(|a| a.to_string()).collect();
-        if let Some(input) = all.first_mut()
-            && !input.starts_with('-')
-        {
-            *input = fixtures().join(&input).to_string_lossy().into_owned();
-        }
-        let out = Command::new(get_cargo_bin("shaderport"))
-            .current_dir(self.0.path())
-            .args(&all)
-            .output()
-            .unwrap();
-        let fixtures = format!("{}/", fixtures().display());
-        let text = String::from_utf8(out.stderr).unwrap();
-        (out.status.code(), text.replace(&fixtures, ""))
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.0.path().join(name)).unwrap()
-    }
-
-    fn files(&self) -> usize {
-        fs::read_dir(self.0.path()).unwrap().count()
-    }
+fn count_files(folder: &Scratch) -> usize {
+    fs::read_dir(folder.path("")).unwrap().count()
 }
 
 #[test]
 fn existing_pages_are_not_overwritten() {
-    let folder = Folder::new();
+    let folder = Scratch::new(&[]);
     assert_eq!(
-        folder.port(&["clean.glsl", "-o", "a.html"]),
+        port(&folder, &["clean.glsl", "-o", "a.html"]),
         (Some(0), String::new())
     );
     assert!(folder.read("a.html").starts_with("<!doctype html>"));
-    let (code, text) = folder.port(&["warned.glsl", "-o", "a.html"]);
+    let (code, text) = port(&folder, &["warned.glsl", "-o", "a.html"]);
     assert_eq!(code, Some(2));
     assert_eq!(
         text,
@@ -222,29 +208,33 @@ fn existing_pages_are_not_overwritten() {
     );
     let before = folder.read("a.html");
     assert_eq!(
-        folder.port(&["warned.glsl", "-o", "a.html", "--force"]).0,
+        port(&folder, &["warned.glsl", "-o", "a.html", "--force"]).0,
         Some(0)
     );
     assert_ne!(before, folder.read("a.html"));
-    assert_eq!(folder.files(), 1);
+    assert_eq!(count_files(&folder), 1);
 }
 
 #[test]
 fn shaders_are_written_as_a_vertex_and_fragment_pair() {
-    let folder = Folder::new();
-    assert_eq!(folder.port(&["clean.glsl", "-o", "a.frag"]).0, Some(0));
+    let folder = Scratch::new(&[]);
+    assert_eq!(port(&folder, &["clean.glsl", "-o", "a.frag"]).0, Some(0));
     assert!(folder.read("a.frag").starts_with("#version 300 es\n"));
     assert!(folder.read("a.vert").starts_with("#version 300 es\n"));
-    fs::remove_file(folder.0.path().join("a.frag")).unwrap();
-    assert_eq!(folder.port(&["clean.glsl", "-o", "a.frag"]).0, Some(2));
-    assert_eq!(folder.files(), 1, "an existing file prevents writing both");
+    fs::remove_file(folder.path("a.frag")).unwrap();
+    assert_eq!(port(&folder, &["clean.glsl", "-o", "a.frag"]).0, Some(2));
+    assert_eq!(
+        count_files(&folder),
+        1,
+        "an existing file prevents writing both"
+    );
 }
 
 #[test]
 fn invalid_input_writes_no_files() {
-    let folder = Folder::new();
+    let folder = Scratch::new(&[]);
     let check = |input: &str, message: &str| {
-        let (code, text) = folder.port(&[input, "-o", "a.html"]);
+        let (code, text) = port(&folder, &[input, "-o", "a.html"]);
         assert_eq!(
             (code, text),
             (Some(2), format!("shaderport: {input}: {message}\n"))
@@ -259,27 +249,27 @@ fn invalid_input_writes_no_files() {
         "folder/package.json",
         "not a ShaderToy export: `renderpass` is missing",
     );
-    assert_eq!(folder.files(), 0);
+    assert_eq!(count_files(&folder), 0);
 }
 
 #[cfg(not(feature = "naga"))]
 #[test]
 fn target_languages_that_are_not_compiled_in_are_rejected() {
-    let folder = Folder::new();
+    let folder = Scratch::new(&[]);
     for extension in ["wgsl", "spv", "hlsl", "metal"] {
-        let (code, text) = folder.port(&["clean.glsl", "-o", &format!("a.{extension}")]);
+        let (code, text) = port(&folder, &["clean.glsl", "-o", &format!("a.{extension}")]);
         assert_eq!(code, Some(2));
         assert!(text.contains("--features naga"), "{text}");
     }
-    assert_eq!(folder.files(), 0);
+    assert_eq!(count_files(&folder), 0);
 }
 
 #[test]
 fn a_folder_of_passes_is_one_project() {
-    let folder = Folder::new();
-    let (code, text) = folder.port(&["passes", "--channel", "0=buffer_a", "-o", "out"]);
+    let folder = Scratch::new(&[]);
+    let (code, text) = port(&folder, &["passes", "--channel", "0=buffer_a", "-o", "out"]);
     assert_eq!((code, text.as_str()), (Some(0), ""));
-    assert_eq!(folder.files(), 1);
+    assert_eq!(count_files(&folder), 1);
     for file in ["image.frag", "buffer_a.frag", "pass.vert"] {
         assert!(
             folder
@@ -288,31 +278,34 @@ fn a_folder_of_passes_is_one_project() {
         );
     }
     assert!(folder.read("out/image.frag").contains("#define SHARED"));
-    let (code, text) = folder.port(&["passes", "--channel", "0=buffer_b", "-o", "a.html"]);
+    let (code, text) = port(
+        &folder,
+        &["passes", "--channel", "0=buffer_b", "-o", "a.html"],
+    );
     assert_eq!(code, Some(2));
     assert_eq!(
         text,
         "shaderport: --channel: the project has no pass `buffer_b`; it has `image`, `buffer_a`\n"
     );
     let twice = ["passes", "--pass", "image=clean.glsl", "-o", "a.html"];
-    assert_eq!(folder.port(&twice).0, Some(2));
-    assert_eq!(folder.files(), 1);
+    assert_eq!(port(&folder, &twice).0, Some(2));
+    assert_eq!(count_files(&folder), 1);
 }
 
 #[test]
 fn webgl1_code_in_shadertoy_shaders_is_repaired() {
-    let folder = Folder::new();
-    let (code, text) = folder.port(&["old.glsl", "-o", "a.frag"]);
+    let folder = Scratch::new(&[]);
+    let (code, text) = port(&folder, &["old.glsl", "-o", "a.frag"]);
     assert_eq!(code, Some(1), "only with an option");
     assert!(text.ends_with("`--diff` shows how\n"), "{text}");
-    let (code, text) = folder.port(&["old.glsl", "--repair", "-o", "b.frag"]);
+    let (code, text) = port(&folder, &["old.glsl", "--repair", "-o", "b.frag"]);
     assert_eq!(code, Some(0), "{text}");
     insta::assert_snapshot!(text);
     assert!(folder.read("a.frag").contains("texture2D"));
     assert!(folder.read("b.frag").contains("samplerCube iChannel1"));
-    let (code, _) = folder.port(&["old.glsl", "--diff", "-o", "c.frag"]);
+    let (code, _) = port(&folder, &["old.glsl", "--diff", "-o", "c.frag"]);
     assert_eq!(
-        (code, folder.files()),
+        (code, count_files(&folder)),
         (Some(0), 4),
         "a diff writes nothing"
     );
@@ -321,10 +314,10 @@ fn webgl1_code_in_shadertoy_shaders_is_repaired() {
 
 #[test]
 fn webgl1_shaders_are_repaired() {
-    let folder = Folder::new();
-    let (code, text) = folder.port(&["webgl1.frag", "-o", "a.html"]);
+    let folder = Scratch::new(&[]);
+    let (code, text) = port(&folder, &["webgl1.frag", "-o", "a.html"]);
     assert_eq!(code, Some(0), "a page plays it unchanged: {text}");
-    let (code, text) = folder.port(&["webgl1.frag", "--repair", "-o", "b.html"]);
+    let (code, text) = port(&folder, &["webgl1.frag", "--repair", "-o", "b.html"]);
     assert_eq!(code, Some(0), "{text}");
     insta::assert_snapshot!(stdout("webgl1.frag"));
 }
@@ -341,12 +334,12 @@ fn stdout(name: &str) -> String {
 
 #[test]
 fn main_is_rewritten_where_it_is_safe() {
-    let folder = Folder::new();
+    let folder = Scratch::new(&[]);
     let rewritten = ["clean.glsl", "--main", "rewrite", "-o", "a.frag"];
-    assert_eq!(folder.port(&rewritten), (Some(0), String::new()));
+    assert_eq!(port(&folder, &rewritten), (Some(0), String::new()));
     insta::assert_snapshot!(folder.read("a.frag"));
     let kept = ["returns.glsl", "--main", "rewrite", "-o", "b.frag"];
-    let (code, text) = folder.port(&kept);
+    let (code, text) = port(&folder, &kept);
     assert_eq!(code, Some(0));
     insta::assert_snapshot!(text);
     assert!(
@@ -358,17 +351,17 @@ fn main_is_rewritten_where_it_is_safe() {
 
 #[test]
 fn external_text_cannot_escape_its_element() {
-    let folder = Folder::new();
+    let folder = Scratch::new(&[]);
     let hostile = "</script><script>alert(1)</script><!--<script>\u{2028}`${x}`";
     let code = format!("// {hostile}\nvoid mainImage(out vec4 c, in vec2 p) {{ c = vec4(1.0); }}");
     let export = serde_json::json!({
         "info": {"name": hostile, "username": hostile, "id": hostile, "description": hostile},
         "renderpass": [{"type": "image", "name": hostile, "code": code, "inputs": [], "outputs": []}],
     });
-    let path = folder.0.path().join("hostile.json");
+    let path = folder.path("hostile.json");
     fs::write(&path, export.to_string()).unwrap();
     assert_eq!(
-        folder.port(&[path.to_str().unwrap(), "-o", "a.html"]).0,
+        port(&folder, &[path.to_str().unwrap(), "-o", "a.html"]).0,
         Some(0)
     );
     let page = folder.read("a.html");

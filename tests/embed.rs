@@ -1,7 +1,7 @@
 //! Pages that show a still image until they are clicked.
 #![cfg(unix)]
 
-use super::port::Folder;
+use super::port::with_shader;
 use std::fs;
 
 pub const COLORED: &str = "void mainImage(out vec4 c, in vec2 p) {\n    \
@@ -9,12 +9,6 @@ pub const COLORED: &str = "void mainImage(out vec4 c, in vec2 p) {\n    \
 
 const NO_ADDRESS: &str = "note: link previews show no image, because `og:image` requires an \
     absolute address; pass the address of the page with `--url`";
-
-impl Folder {
-    pub fn text(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
-}
 
 /// The width and height of a PNG file.
 pub fn size(png: &[u8]) -> (u32, u32) {
@@ -25,7 +19,7 @@ pub fn size(png: &[u8]) -> (u32, u32) {
 
 #[test]
 fn embedding_requires_a_page() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let message = "`--embed` requires an HTML page; use `-o NAME.html`";
     for args in [
         "--embed -o a.js",
@@ -33,12 +27,12 @@ fn embedding_requires_a_page() {
         "--embed -t glsl",
         "--embed -o a.html -t json",
     ] {
-        folder.fails(&format!("a.glsl {args}"), message);
+        folder.port_fails(&format!("a.glsl {args}"), message);
     }
-    folder.put("b.glsl", COLORED);
-    let out = folder.command("b.glsl --embed").output().unwrap();
+    folder.write("b.glsl", COLORED);
+    let out = folder.port_command("b.glsl --embed").output().unwrap();
     assert!(out.stdout.starts_with(b"<!doctype html>"));
-    folder.fails(
+    folder.port_fails(
         "b.glsl --embed -o - --url https://e.org/b.html",
         "`--url` requires `-o FILE`: the still image is written beside it",
     );
@@ -47,9 +41,9 @@ fn embedding_requires_a_page() {
         "--embed --diff",
         "--url https://e.org -o b.html",
     ] {
-        assert_eq!(folder.run(&format!("b.glsl {args}")).0, Some(2), "{args}");
+        assert_eq!(folder.port(&format!("b.glsl {args}")).0, Some(2), "{args}");
     }
-    let (code, message) = folder.run("b.glsl --embed -o b.html --url b.html");
+    let (code, message) = folder.port("b.glsl --embed -o b.html --url b.html");
     assert_eq!(code, Some(2));
     assert!(
         message.contains("expected an absolute address such as"),
@@ -60,11 +54,11 @@ fn embedding_requires_a_page() {
 
 #[test]
 fn link_previews_require_an_address() {
-    let folder = Folder::new();
-    folder.put("sea & sky.glsl", COLORED);
-    folder.put("b.glsl", COLORED);
-    folder.works("b.glsl --embed -o b.html", NO_ADDRESS);
-    let page = folder.text("b.html");
+    let folder = with_shader();
+    folder.write("sea & sky.glsl", COLORED);
+    folder.write("b.glsl", COLORED);
+    folder.ports("b.glsl --embed -o b.html", NO_ADDRESS);
+    let page = folder.read("b.html");
     assert!(page.contains(
         "<img alt=\"Still image of b\" width=\"640\" height=\"360\" src=\"data:image/png;base64,"
     ));
@@ -73,12 +67,12 @@ fn link_previews_require_an_address() {
     assert!(!page.contains("\"og:image") && !folder.path("b.png").exists());
 
     let out = folder
-        .command("--embed --url https://e.org/x/sea -o new/sea.html")
+        .port_command("--embed --url https://e.org/x/sea -o new/sea.html")
         .arg("sea & sky.glsl")
         .output()
         .unwrap();
     assert_eq!(String::from_utf8(out.stderr).unwrap(), "");
-    let page = folder.text("new/sea.html");
+    let page = folder.read("new/sea.html");
     for (name, value) in [
         ("property=\"og:title\"", "sea &amp; sky"),
         ("property=\"og:type\"", "website"),
@@ -101,17 +95,17 @@ fn link_previews_require_an_address() {
 
 #[test]
 fn still_images_do_not_overwrite_files() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let url = "--embed --url https://e.org/a.html";
-    folder.put("b.glsl", COLORED);
-    folder.put("b.png", "mine");
-    folder.fails(
+    folder.write("b.glsl", COLORED);
+    folder.write("b.png", "mine");
+    folder.port_fails(
         &format!("b.glsl {url} -o b.html"),
         "b.png already exists; use --force to overwrite it",
     );
-    assert_eq!(folder.text("b.png"), "mine");
+    assert_eq!(folder.read("b.png"), "mine");
     assert!(!folder.path("b.html").exists());
-    let (code, message) = folder.run(&format!("a.glsl --channel 0=a.png {url} -o a.html --force"));
+    let (code, message) = folder.port(&format!("a.glsl --channel 0=a.png {url} -o a.html --force"));
     assert_eq!(code, Some(2));
     let end = "a.png is an input file; choose another output";
     assert!(message.ends_with(end), "{message}");
@@ -120,11 +114,11 @@ fn still_images_do_not_overwrite_files() {
 /// Without a still image, the page is written all the same.
 #[test]
 fn pages_without_a_still_image_give_the_reason() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let embed = |code: &str| {
-        folder.put("x.glsl", code);
-        let (exit, message) = folder.run("x.glsl --embed -o x.html --force");
-        let page = folder.text("x.html");
+        folder.write("x.glsl", code);
+        let (exit, message) = folder.port("x.glsl --embed -o x.html --force");
+        let page = folder.read("x.html");
         assert!(
             page.contains("<div id=\"poster\"><p>x "),
             "a plain background"
@@ -149,11 +143,11 @@ fn pages_without_a_still_image_give_the_reason() {
 /// Noise does not compress; its image is smaller.
 #[test]
 fn still_images_are_small_files() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let noise = "fract(sin(p.xyx * vec3(12.9, 78.2, 37.7) + p.yxx * 4.1) * 43758.5)";
     let code = format!("void mainImage(out vec4 c, in vec2 p) {{ c = vec4({noise}, 1.0); }}\n");
-    folder.put("noise.glsl", code);
-    folder.works("noise.glsl --embed --url https://e.org/ -o noise.html", "");
+    folder.write("noise.glsl", code);
+    folder.ports("noise.glsl --embed --url https://e.org/ -o noise.html", "");
     let file = fs::read(folder.path("noise.png")).unwrap();
     assert_eq!((size(&file), file.len() < 256 * 1024), ((320, 180), true));
 }
@@ -161,10 +155,10 @@ fn still_images_are_small_files() {
 /// Shaders that start black are drawn later.
 #[test]
 fn still_images_are_not_black() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = COLORED.replace("1.0);", "1.0) * step(4.0, iTime);");
-    folder.put("late.glsl", code);
-    folder.works("late.glsl --embed --url https://e.org/ -o late.html", "");
+    folder.write("late.glsl", code);
+    folder.ports("late.glsl --embed --url https://e.org/ -o late.html", "");
     let file = fs::read(folder.path("late.png")).unwrap();
     let mut reader = png::Decoder::new(std::io::Cursor::new(file))
         .read_info()

@@ -2,7 +2,7 @@
 #![cfg(unix)]
 
 use super::embed::{COLORED, size};
-use super::port::Folder;
+use super::port::with_shader;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
@@ -12,23 +12,23 @@ const NO_ADDRESSES: &str = "note: link previews show no images, because `og:imag
 
 #[test]
 fn galleries_have_a_page_for_each_shader() {
-    let folder = Folder::new();
-    folder.put("s/b.glsl", COLORED);
-    folder.put("s/deep/c.frag", format!("#include \"lib.glsl\"\n{COLORED}"));
-    folder.put("s/deep/lib.glsl", "float one() { return 1.0; }\n");
-    folder.put("s/passes/image.glsl", COLORED);
-    folder.put("s/passes/common.glsl", "const float A = 1.0;\n");
-    folder.put("s/package.json", "{}");
-    folder.put("s/notes.txt", "none");
-    folder.put("s/.hidden/d.glsl", "wrong");
+    let folder = with_shader();
+    folder.write("s/b.glsl", COLORED);
+    folder.write("s/deep/c.frag", format!("#include \"lib.glsl\"\n{COLORED}"));
+    folder.write("s/deep/lib.glsl", "float one() { return 1.0; }\n");
+    folder.write("s/passes/image.glsl", COLORED);
+    folder.write("s/passes/common.glsl", "const float A = 1.0;\n");
+    folder.write("s/package.json", "{}");
+    folder.write("s/notes.txt", "none");
+    folder.write("s/.hidden/d.glsl", "wrong");
     let export = r#"{"info": {"name": "Rock &amp; <b>roll", "username": "me"}, "renderpass": [{"type":
         "image", "code": "CODE", "inputs": [], "outputs": []}]}"#;
-    folder.put(
+    folder.write(
         "s/toy.json",
         export.replace("CODE", &COLORED.replace('\n', " ")),
     );
-    folder.works("gallery s -o s/out", NO_ADDRESSES);
-    let index = folder.text("s/out/index.html");
+    folder.ports("gallery s -o s/out", NO_ADDRESSES);
+    let index = folder.read("s/out/index.html");
     let links: Vec<&str> = index.split("href=\"").skip(2).collect();
     let links: Vec<&str> = links.iter().map(|l| l.split('"').next().unwrap()).collect();
     let expected = ["b", "deep_c", "passes", "toy"];
@@ -36,7 +36,7 @@ fn galleries_have_a_page_for_each_shader() {
     for name in expected {
         assert!(
             folder
-                .text(&format!("s/out/{name}.html"))
+                .read(&format!("s/out/{name}.html"))
                 .contains("id=\"poster\"")
         );
         let png = fs::read(folder.path(&format!("s/out/{name}.png"))).unwrap();
@@ -47,19 +47,19 @@ fn galleries_have_a_page_for_each_shader() {
         "{index}"
     );
     assert!(!index.contains("=\"http") && index.contains("<title>s</title>"));
-    let page = folder.text("s/out/b.html");
+    let page = folder.read("s/out/b.html");
     assert!(page.contains("<script src=\"player.js\">") && page.len() < 300_000);
     assert!(folder.path("s/out/player.css").is_file());
 
-    folder.fails(
+    folder.port_fails(
         "gallery s -o s/out",
         "s/out/index.html already exists; use --force to overwrite it",
     );
-    folder.works(
+    folder.ports(
         "gallery s -o s/out --force --title Seas --url https://e.org/seas",
         "",
     );
-    let index = folder.text("s/out/index.html");
+    let index = folder.read("s/out/index.html");
     assert!(index.contains("<h1>Seas</h1>"));
     assert!(
         index.contains("og:url\" content=\"https://e.org/seas/\""),
@@ -69,41 +69,41 @@ fn galleries_have_a_page_for_each_shader() {
         index.contains("og:image\" content=\"https://e.org/seas/b.png\""),
         "{index}"
     );
-    let page = folder.text("s/out/passes.html");
+    let page = folder.read("s/out/passes.html");
     assert!(page.contains("og:url\" content=\"https://e.org/seas/passes.html\""));
     assert!(page.contains("og:image\" content=\"https://e.org/seas/passes.png\""));
 }
 
 #[test]
 fn shaders_with_errors_are_not_in_the_gallery() {
-    let folder = Folder::new();
-    folder.put("s/good.glsl", COLORED);
-    folder.put(
+    let folder = with_shader();
+    folder.write("s/good.glsl", COLORED);
+    folder.write(
         "s/bad.glsl",
         "void mainImage(out vec4 c, in vec2 p) { c = vec4(q, r, p); }\n",
     );
-    folder.put("s/text.glsl", "<!doctype html>");
-    let (code, message) = folder.run("gallery s -o out --url https://e.org");
+    folder.write("s/text.glsl", "<!doctype html>");
+    let (code, message) = folder.port("gallery s -o out --url https://e.org");
     assert_eq!(code, Some(1));
     let errors = "error: s/bad.glsl:1:50: `q` is not declared (and 1 more); left out\n\
         error: s/text.glsl: expected a shader, found HTML or XML; left out";
     assert_eq!(message, errors);
     assert!(folder.path("out/good.html").is_file() && !folder.path("out/bad.html").exists());
     fs::remove_file(folder.path("s/good.glsl")).unwrap();
-    let (code, _) = folder.run("gallery s -o none");
+    let (code, _) = folder.port("gallery s -o none");
     assert_eq!(code, Some(1));
     assert!(!folder.path("none").exists());
 }
 
 #[test]
 fn shaders_of_a_gallery_must_have_different_names() {
-    let folder = Folder::new();
-    let fails = |message: &str| folder.fails("gallery s -o out", message);
-    folder.put("s/a.glsl", COLORED);
-    folder.put("s/A.frag", COLORED);
+    let folder = with_shader();
+    let fails = |message: &str| folder.port_fails("gallery s -o out", message);
+    folder.write("s/a.glsl", COLORED);
+    folder.write("s/A.frag", COLORED);
     fails("s/a.glsl and s/A.frag would both be written to a.html; rename the shader");
     fs::remove_file(folder.path("s/A.frag")).unwrap();
-    folder.put("s/index.glsl", COLORED);
+    folder.write("s/index.glsl", COLORED);
     fails("s/index.glsl and the gallery would both be written to index.html; rename the shader");
     fs::remove_dir_all(folder.path("s")).unwrap();
     fails("s: no such file or folder");
@@ -115,10 +115,10 @@ fn shaders_of_a_gallery_must_have_different_names() {
 /// The command does not take the name away from files.
 #[test]
 fn files_may_be_named_like_the_gallery_command() {
-    let folder = Folder::new();
-    folder.put("gallery", COLORED);
-    folder.works("./gallery -o gallery.html", "");
-    assert!(folder.text("gallery.html").starts_with("<!doctype html>"));
+    let folder = with_shader();
+    folder.write("gallery", COLORED);
+    folder.ports("./gallery -o gallery.html", "");
+    assert!(folder.read("gallery.html").starts_with("<!doctype html>"));
 }
 
 /// Exports of one shader each, as an array.
@@ -135,9 +135,9 @@ fn array(shaders: &[(&str, &str)]) -> String {
 
 #[test]
 fn several_exports_form_a_gallery() {
-    let folder = Folder::new();
-    folder.put("all.json", array(&[("Sea", "0.1 +"), ("Land", "0.2 +")]));
-    folder.put("one.json", array(&[("Sky", "0.3 +")]));
+    let folder = with_shader();
+    folder.write("all.json", array(&[("Sea", "0.1 +"), ("Land", "0.2 +")]));
+    folder.write("one.json", array(&[("Sky", "0.3 +")]));
     let pages = |out: &str| -> Vec<String> {
         let found = fs::read_dir(folder.path(out)).unwrap();
         let names = found.map(|f| f.unwrap().file_name().into_string().unwrap());
@@ -145,27 +145,27 @@ fn several_exports_form_a_gallery() {
         pages.sort();
         pages
     };
-    folder.works("all.json one.json -o both/", NO_ADDRESSES);
+    folder.ports("all.json one.json -o both/", NO_ADDRESSES);
     assert_eq!(
         pages("both"),
         ["Land.html", "Sea.html", "index.html", "one.html"]
     );
-    folder.works("all.json -o array", NO_ADDRESSES);
+    folder.ports("all.json -o array", NO_ADDRESSES);
     assert_eq!(pages("array"), ["Land.html", "Sea.html", "index.html"]);
     // One shader stays one page.
     fs::create_dir(folder.path("single")).unwrap();
-    folder.works("one.json -t html -o single", "");
+    folder.ports("one.json -t html -o single", "");
     assert_eq!(pages("single"), ["Sky.html"]);
 
     let no_folder = "the input has several shaders; `-o FOLDER` writes a page for each";
     for args in ["all.json", "all.json one.json -o a.html", "all.json -o -"] {
-        folder.fails(args, no_folder);
+        folder.port_fails(args, no_folder);
     }
-    folder.fails(
+    folder.port_fails(
         "all.json --verify -o more",
         "`--verify` requires one shader, but the input has several",
     );
-    folder.fails(
+    folder.port_fails(
         "one.json one.json -t module -o more",
         "`--target` requires one shader, but the input has several",
     );
@@ -175,10 +175,10 @@ fn several_exports_form_a_gallery() {
 /// Only the page of a shader that changed is written again.
 #[test]
 fn a_watched_gallery_rewrites_changed_pages_only() {
-    let folder = Folder::new();
-    folder.put("s/all.json", array(&[("Sea", "0.1 +"), ("Land", "0.2 +")]));
-    folder.put("s/own.glsl", COLORED);
-    let mut command = folder.command("gallery s -o out --watch");
+    let folder = with_shader();
+    folder.write("s/all.json", array(&[("Sea", "0.1 +"), ("Land", "0.2 +")]));
+    folder.write("s/own.glsl", COLORED);
+    let mut command = folder.port_command("gallery s -o out --watch");
     let mut running = command.stderr(Stdio::piped()).spawn().unwrap();
     let mut lines = BufReader::new(running.stderr.take().unwrap()).lines();
     let mut waits = || {
@@ -191,13 +191,13 @@ fn a_watched_gallery_rewrites_changed_pages_only() {
     };
     waits();
     let before = ["Sea", "Land", "own"].map(written);
-    folder.put("s/all.json", array(&[("Sea", "0.1 +"), ("Land", "0.9 -")]));
+    folder.write("s/all.json", array(&[("Sea", "0.1 +"), ("Land", "0.9 -")]));
     waits();
     let after = ["Sea", "Land", "own"].map(written);
     let is_rewritten = [0, 1, 2].map(|i| before[i] != after[i]);
     assert_eq!(is_rewritten, [false, true, false]);
-    folder.put("s/own.glsl", COLORED.replace("0.5 +", "0.7 -"));
-    folder.put("s/new.glsl", COLORED);
+    folder.write("s/own.glsl", COLORED.replace("0.5 +", "0.7 -"));
+    folder.write("s/new.glsl", COLORED);
     waits();
     assert_eq!(["Sea", "Land"].map(written), [after[0], after[1]]);
     assert!(written("own") != after[2] && folder.path("out/new.png").is_file());

@@ -18,6 +18,7 @@ mod properties;
 mod recorded;
 mod renaming;
 mod repair;
+mod scratch;
 mod tidy;
 mod tracing;
 mod usage;

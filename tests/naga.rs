@@ -4,6 +4,7 @@
 //! `INSTA_UPDATE=always cargo test --all-features --test all naga` accepts the current output.
 #![cfg(feature = "naga")]
 
+use super::scratch::Scratch;
 use shaderlint::explain::{Checked, analyze};
 use shaderlint::port::naga::{
     FirstRow, LowerOptions, Lowered, Refused, Repeated, TargetLanguage, lower, translate, write,
@@ -54,8 +55,8 @@ fn hlsl_output_compiles() {
     let Ok(compiler) = std::env::var("HLSL_COMPILER") else {
         return;
     };
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("shader.hlsl");
+    let folder = Scratch::new(&[]);
+    let file = folder.path("shader.hlsl");
     let accepts = |stage: Stage, text: &[u8]| {
         fs::write(&file, text).unwrap();
         let (stage, entry) = match stage {
@@ -64,7 +65,7 @@ fn hlsl_output_compiles() {
         };
         let out = Command::new(&compiler)
             .args(["-D", "-S", stage, "-e", entry, "-V", "-o"])
-            .arg(folder.path().join("shader.spv"))
+            .arg(folder.path("shader.spv"))
             .arg(&file)
             .output()
             .unwrap();

@@ -2,13 +2,13 @@
 //! messages.
 #![cfg(unix)]
 
+use super::scratch::Scratch;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::fs::symlink;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 const CODE: &str =
@@ -16,105 +16,63 @@ const CODE: &str =
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// A folder with a shader `a.glsl` and an image `a.png`.
-pub struct Folder(tempfile::TempDir);
-
-impl Folder {
-    pub fn new() -> Folder {
-        let folder = Folder(tempfile::tempdir().unwrap());
-        folder.put("a.glsl", CODE);
-        folder.put("a.png", PNG);
-        folder
-    }
-
-    pub fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    pub fn put(&self, name: &str, content: impl AsRef<[u8]>) {
-        let path = self.path(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, content).unwrap();
-    }
-
-    pub fn command(&self, args: &str) -> Command {
-        let mut command = Command::new(get_cargo_bin("shaderport"));
-        command.current_dir(self.0.path());
-        command.args(args.split_whitespace());
-        command
-    }
-
-    /// Exit code and messages, without the notes about missing media files.
-    pub fn run(&self, args: &str) -> (Option<i32>, String) {
-        let out = self.command(args).output().unwrap();
-        let message = String::from_utf8(out.stderr).unwrap();
-        let lines = message.lines().filter(|l| !l.contains(" file given; "));
-        let lines: Vec<&str> = lines.collect();
-        (out.status.code(), lines.join("\n"))
-    }
-
-    #[track_caller]
-    pub fn works(&self, args: &str, message: &str) {
-        assert_eq!(self.run(args), (Some(0), message.to_string()), "{args}");
-    }
-
-    #[track_caller]
-    pub fn fails(&self, args: &str, message: &str) {
-        let message = format!("shaderport: {message}");
-        assert_eq!(self.run(args), (Some(2), message), "{args}");
-    }
+pub fn with_shader() -> Scratch {
+    let folder = Scratch::new(&[("a.glsl", CODE)]);
+    folder.write("a.png", PNG);
+    folder
 }
 
 #[test]
 fn inputs_are_never_overwritten() {
-    let folder = Folder::new();
+    let folder = with_shader();
     fs::hard_link(folder.path("a.glsl"), folder.path("hard.glsl")).unwrap();
     let same = |name: &str| format!("{name} is an input file; choose another output");
-    folder.fails("a.glsl -o ./a.glsl --force", &same("./a.glsl"));
-    folder.fails("a.glsl -o hard.glsl --force", &same("hard.glsl"));
-    folder.fails("--pass image=a.glsl -o a.glsl --force", &same("a.glsl"));
-    let (code, message) = folder.run("a.glsl --channel 0=a.png -t json -o a.png --force");
+    folder.port_fails("a.glsl -o ./a.glsl --force", &same("./a.glsl"));
+    folder.port_fails("a.glsl -o hard.glsl --force", &same("hard.glsl"));
+    folder.port_fails("--pass image=a.glsl -o a.glsl --force", &same("a.glsl"));
+    let (code, message) = folder.port("a.glsl --channel 0=a.png -t json -o a.png --force");
     assert_eq!(code, Some(2));
     assert!(message.ends_with(&same("a.png")), "{message}");
-    folder.put("p/image.frag", CODE);
-    folder.fails("p -o p --force", &same("p/image.frag"));
+    folder.write("p/image.frag", CODE);
+    folder.port_fails("p -o p --force", &same("p/image.frag"));
     assert_eq!(fs::read_to_string(folder.path("a.glsl")).unwrap(), CODE);
     assert_eq!(fs::read(folder.path("a.png")).unwrap(), PNG);
 }
 
 #[test]
 fn only_regular_files_are_overwritten() {
-    let folder = Folder::new();
-    folder.put("there.html", "there");
+    let folder = with_shader();
+    folder.write("there.html", "there");
     symlink(folder.path("there.html"), folder.path("link.html")).unwrap();
     fs::create_dir(folder.path("image.frag")).unwrap();
     let end = ", not a regular file; omit `-o` to write to standard output";
-    folder.fails(
+    folder.port_fails(
         "a.glsl -o link.html --force",
         &format!("cannot overwrite link.html: it is a symbolic link{end}"),
     );
-    folder.fails(
+    folder.port_fails(
         "a.glsl -t html -o /dev/null --force",
         &format!("cannot overwrite /dev/null: it is a device{end}"),
     );
-    folder.fails(
+    folder.port_fails(
         "a.glsl -o . --force -t glsl",
         &format!("cannot overwrite ./image.frag: it is a folder{end}"),
     );
-    folder.fails(
+    folder.port_fails(
         "a.glsl -o /dev/null --force",
         &format!("cannot overwrite /dev/null: it is a device{end}"),
     );
-    folder.fails("a.glsl -o a.glsl/b.html", "a.glsl is not a folder");
+    folder.port_fails("a.glsl -o a.glsl/b.html", "a.glsl is not a folder");
     assert_eq!(fs::read(folder.path("there.html")).unwrap(), b"there");
-    folder.works("a.glsl -o there.html --force", "");
+    folder.ports("a.glsl -o there.html --force", "");
 }
 
 #[test]
 fn files_in_an_output_folder_get_default_names() {
-    let folder = Folder::new();
-    folder.works("a.glsl -o shaders", "");
-    folder.works("a.glsl -t html -o pages/", "");
-    folder.works("a.glsl -t json -o pages", "");
+    let folder = with_shader();
+    folder.ports("a.glsl -o shaders", "");
+    folder.ports("a.glsl -t html -o pages/", "");
+    folder.ports("a.glsl -t json -o pages", "");
     for file in [
         "shaders/image.frag",
         "shaders/pass.vert",
@@ -123,44 +81,44 @@ fn files_in_an_output_folder_get_default_names() {
     ] {
         assert!(folder.path(file).is_file(), "{file}");
     }
-    folder.works("a.glsl -o new/folder/a.html", "");
-    let out = folder.command("a.glsl -o -").output().unwrap();
+    folder.ports("a.glsl -o new/folder/a.html", "");
+    let out = folder.port_command("a.glsl -o -").output().unwrap();
     assert!(out.stdout.starts_with(b"#version 300 es\n"));
 }
 
 #[test]
 fn passes_outside_of_their_folder_are_not_read() {
-    let folder = Folder::new();
-    folder.put("p/image.glsl", CODE);
-    folder.put("secret.glsl", "#define SECRET\n");
+    let folder = with_shader();
+    folder.write("p/image.glsl", CODE);
+    folder.write("secret.glsl", "#define SECRET\n");
     symlink(folder.path("secret.glsl"), folder.path("p/common.glsl")).unwrap();
-    folder.fails(
+    folder.port_fails(
         "p -o a.html",
         "p/common.glsl is outside of p; pass it with `--pass common=FILE`",
     );
     fs::remove_file(folder.path("p/common.glsl")).unwrap();
     symlink("image.glsl", folder.path("p/buffer_a.glsl")).unwrap();
-    folder.works("p -o a.html", "");
+    folder.ports("p -o a.html", "");
 }
 
 #[test]
 fn media_types_are_detected_from_content() {
-    let folder = Folder::new();
-    folder.put("b.png", b"\xff\xd8\xff\xe0");
-    folder.put("c.png", "<svg xmlns='http://www.w3.org/2000/svg'/>");
-    folder.works(
+    let folder = with_shader();
+    folder.write("b.png", b"\xff\xd8\xff\xe0");
+    folder.write("c.png", "<svg xmlns='http://www.w3.org/2000/svg'/>");
+    folder.ports(
         "a.glsl --channel 0=b.png -o b.html",
         "note: b.png contains image/jpeg, despite its extension\n\
          note: embedded b.png (31 bytes)",
     );
     let page = fs::read_to_string(folder.path("b.html")).unwrap();
     assert!(page.contains("data:image/jpeg;base64,/9j/4A=="));
-    folder.fails(
+    folder.port_fails(
         "a.glsl --channel 0=c.png -o c.html",
         "--channel: c.png: SVG is not supported because it can contain scripts; save the image as \
          PNG",
     );
-    folder.fails(
+    folder.port_fails(
         "a.glsl --channel 0=a.png --max-media 4 -o c.html",
         "--channel: a.png: the file has 8 bytes, but the limit for media is 4 bytes; raise it with \
          `--max-media SIZE`",
@@ -169,14 +127,14 @@ fn media_types_are_detected_from_content() {
 
 #[test]
 fn media_outside_of_their_folder_are_not_read() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let toy = r#"{"renderpass":[{"type":"image","code":"void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }",
         "outputs":[],"inputs":[{"channel":0,"type":"texture","filepath":"/media/b.png"}]}]}"#;
-    folder.put("toy.json", toy);
-    folder.put("site/media/keep.txt", "");
+    folder.write("toy.json", toy);
+    folder.write("site/media/keep.txt", "");
     symlink(folder.path("a.png"), folder.path("site/media/b.png")).unwrap();
     let out = "`/media/b.png` is outside of site";
-    folder.fails("toy.json --media site -o toy.html", out);
+    folder.port_fails("toy.json --media site -o toy.html", out);
     assert!(!folder.path("toy.html").exists());
 }
 
@@ -184,17 +142,17 @@ fn media_outside_of_their_folder_are_not_read() {
 /// running it.
 #[test]
 fn output_is_verified() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let export = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/export.json");
     // The export has an error that is repaired here.
     let text = fs::read_to_string(export).unwrap().replace("SCALE", "2.0");
-    folder.put("export.json", text);
+    folder.write("export.json", text);
     let lines = |message: &str| -> Vec<String> {
         let reported = message.lines().filter(|l| l.contains(": identical"));
         reported.map(str::to_string).collect()
     };
     for target in ["page.html", "module.js", "project.json", "shaders"] {
-        let (code, message) = folder.run(&format!("export.json --verify -o {target}"));
+        let (code, message) = folder.port(&format!("export.json --verify -o {target}"));
         assert_eq!(code, Some(0), "{target}: {message}");
         let reported = lines(&message);
         assert!(!reported.is_empty(), "{target}: {message}");
@@ -203,11 +161,11 @@ fn output_is_verified() {
             "{target}: {message}"
         );
     }
-    folder.put(
+    folder.write(
         "plain.glsl",
         "void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, sin(iTime), 1); }",
     );
-    folder.works(
+    folder.ports(
         "plain.glsl --main rewrite --verify -o plain.frag",
         "Image: identical on 9152 pixels",
     );
@@ -216,10 +174,11 @@ fn output_is_verified() {
 /// A repair is compared with the original if that draws anything.
 #[test]
 fn repairs_are_verified() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let reported = |file: &str, code: &str| {
-        folder.put(file, code);
-        let (exit, message) = folder.run(&format!("{file} --repair --verify --force -o page.html"));
+        folder.write(file, code);
+        let (exit, message) =
+            folder.port(&format!("{file} --repair --verify --force -o page.html"));
         let last = message.lines().last().unwrap_or_default().to_string();
         (exit, last)
     };
@@ -238,11 +197,11 @@ fn repairs_are_verified() {
 /// of shaders as that pair.
 #[test]
 fn both_shaders_of_a_pass_are_written() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let dialects = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/dialects");
     let check = |from: &str, out: &str, vertex: (&str, &str), fragment: (&str, &str)| {
         let args = format!("{dialects}/{from} -t glsl --verify -o {out}");
-        let (code, message) = folder.run(&args);
+        let (code, message) = folder.port(&args);
         assert_eq!(code, Some(0), "{message}");
         assert!(message.ends_with("Image: identical code"), "{message}");
         for (file, text) in [vertex, fragment] {
@@ -271,21 +230,21 @@ fn both_shaders_of_a_pass_are_written() {
 
 #[test]
 fn oversized_files_are_rejected() {
-    let folder = Folder::new();
-    folder.put("large.glsl", vec![b'\n'; 41 << 20]);
+    let folder = with_shader();
+    folder.write("large.glsl", vec![b'\n'; 41 << 20]);
     let message = "large.glsl: the file is larger than 40 MB, the limit for shaders";
-    folder.fails("large.glsl -o large.html", message);
+    folder.port_fails("large.glsl -o large.html", message);
 }
 
 #[test]
 fn main_sound_with_only_a_time_is_repaired() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let toy = r#"{"renderpass":[
         {"type":"image","code":"void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }","inputs":[],"outputs":[]},
         {"type":"sound","code":"vec2 mainSound(float time) { return vec2(sin(time)); }","inputs":[],"outputs":[]}]}"#;
-    folder.put("toy.json", toy);
-    assert_eq!(folder.run("toy.json -o new.json").0, Some(1));
-    let (code, message) = folder.run("toy.json --repair -o new.json --force");
+    folder.write("toy.json", toy);
+    assert_eq!(folder.port("toy.json -o new.json").0, Some(1));
+    let (code, message) = folder.port("toy.json --repair -o new.json --force");
     assert_eq!(code, Some(0), "{message}");
     let new = fs::read_to_string(folder.path("new.json")).unwrap();
     assert!(new.contains("mainSound(in int, float time)"), "{new}");
@@ -293,8 +252,9 @@ fn main_sound_with_only_a_time_is_repaired() {
 
 #[test]
 fn misspelled_names_get_suggestions() {
-    let folder = Folder::new();
-    let check = |args: &str, message: &str| folder.fails(&format!("{args} -o x.html"), message);
+    let folder = with_shader();
+    let check =
+        |args: &str, message: &str| folder.port_fails(&format!("{args} -o x.html"), message);
     check(
         "a.glsl --channel 0=keybord",
         "--channel: file `keybord` not found; did you mean `keyboard`?",
@@ -311,12 +271,12 @@ fn misspelled_names_get_suggestions() {
         "--pass imag=a.glsl",
         "--pass: unknown pass `imag`; did you mean `image`?",
     );
-    folder.fails(
+    folder.port_fails(
         "a.glsl -o a.vert",
         "-o a.vert: unknown output extension `.vert`; use `-o NAME.frag`, which writes NAME.vert as \
          well",
     );
-    folder.put("p/other.json", "{}");
+    folder.write("p/other.json", "{}");
     check(
         "p",
         "p: no pass found; name the files `image.glsl`, `buffer_a.glsl`, `common.glsl`, or pass a \
@@ -326,15 +286,15 @@ fn misspelled_names_get_suggestions() {
 
 #[test]
 fn all_unicode_encodings_are_read() {
-    let folder = Folder::new();
-    folder.put("bom.glsl", format!("\u{feff}{CODE}"));
-    folder.put("p/image.glsl", format!("\u{feff}{CODE}"));
+    let folder = with_shader();
+    folder.write("bom.glsl", format!("\u{feff}{CODE}"));
+    folder.write("p/image.glsl", format!("\u{feff}{CODE}"));
     let units = CODE.encode_utf16().flat_map(u16::to_le_bytes);
-    folder.put(
+    folder.write(
         "wide.glsl",
         [0xff, 0xfe].into_iter().chain(units).collect::<Vec<u8>>(),
     );
-    folder.put(
+    folder.write(
         "bom.json",
         format!("\u{feff} [{{\"renderpass\":[{{\"type\":\"image\",\"code\":{CODE:?}}}]}}]"),
     );
@@ -348,23 +308,23 @@ fn all_unicode_encodings_are_read() {
     .iter()
     .enumerate()
     {
-        folder.works(&format!("{input} -o {i}.html"), "");
+        folder.ports(&format!("{input} -o {i}.html"), "");
         let page = fs::read_to_string(folder.path(&format!("{i}.html"))).unwrap();
         assert!(
             !page.contains('\u{feff}') && !page.contains("\\ufeff"),
             "{input}"
         );
     }
-    folder.put("page.glsl", "<!doctype html>");
-    folder.fails(
+    folder.write("page.glsl", "<!doctype html>");
+    folder.port_fails(
         "page.glsl -o x.html",
         "page.glsl: expected a shader, found HTML or XML",
     );
-    folder.fails(
+    folder.port_fails(
         "/dev/zero -o x.html",
         "/dev/zero: the file is larger than 40 MB, the limit for shaders",
     );
-    folder.fails(
+    folder.port_fails(
         "p/image.glsl/x -o x.html",
         "p/image.glsl/x: Not a directory",
     );
@@ -373,12 +333,15 @@ fn all_unicode_encodings_are_read() {
 /// A page is small enough to send.
 #[test]
 fn pages_of_templates_are_small() {
-    let folder = Folder::new();
+    let folder = with_shader();
     for name in ["raymarching", "terrain", "voxel"] {
         let root = env!("CARGO_MANIFEST_DIR");
         let template = format!("{root}/corpus/templates/{name}.glsl");
-        folder.put("t.glsl", fs::read(template).unwrap());
-        let output = folder.command("-o t.html --force t.glsl").output().unwrap();
+        folder.write("t.glsl", fs::read(template).unwrap());
+        let output = folder
+            .port_command("-o t.html --force t.glsl")
+            .output()
+            .unwrap();
         assert!(output.status.success());
         let size = fs::metadata(folder.path("t.html")).unwrap().len();
         assert!(size < 100_000, "{name}: {size} bytes");
@@ -387,8 +350,8 @@ fn pages_of_templates_are_small() {
 
 #[test]
 fn waiting_for_standard_input_is_reported() {
-    let folder = Folder::new();
-    let mut command = folder.command("- -t html");
+    let folder = with_shader();
+    let mut command = folder.port_command("- -t html");
     let mut running = command
         .stdin(Stdio::piped())
         .stdout(Stdio::null())
@@ -411,31 +374,31 @@ fn waiting_for_standard_input_is_reported() {
 
 #[test]
 fn unrepairable_text_is_not_reported_as_repaired() {
-    let folder = Folder::new();
-    folder.put("text.glsl", "hello world\n");
-    let (code, message) = folder.run("text.glsl -o text.html");
+    let folder = with_shader();
+    folder.write("text.glsl", "hello world\n");
+    let (code, message) = folder.port("text.glsl -o text.html");
     assert_eq!(code, Some(1), "{message}");
     assert!(message.contains("unknown type `hello`"), "{message}");
     assert!(!message.contains("repaired"), "{message}");
     // A shader that a repair completes is repaired automatically, as WebGL2 requires it.
     let desktop = "#version 330\nout vec4 c;\nvoid main() { c = vec4(1 / 2.0f); }\n";
-    folder.put("desktop.glsl", desktop);
-    let (code, message) = folder.run("desktop.glsl -o desktop.html");
+    folder.write("desktop.glsl", desktop);
+    let (code, message) = folder.port("desktop.glsl -o desktop.html");
     assert_eq!(code, Some(0), "{message}");
     assert!(message.contains("repaired"), "{message}");
 }
 
 #[test]
 fn channels_are_named_by_their_sampler() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "precision highp float;\nuniform sampler2D u_photo;\n\
         void main() { gl_FragColor = texture2D(u_photo, vec2(0.5)); }\n";
-    folder.put("photo.frag", code);
+    folder.write("photo.frag", code);
     let note = "note: embedded a.png (34 bytes)";
-    folder.works("photo.frag --channel u_photo=a.png -o photo.html", note);
+    folder.ports("photo.frag --channel u_photo=a.png -o photo.html", note);
     let page = fs::read_to_string(folder.path("photo.html")).unwrap();
     assert!(page.contains("\"uniform\":\"u_photo\"") && page.contains("data:image/png"));
-    let (code, message) = folder.run("photo.frag --channel photo=a.png -o other.html");
+    let (code, message) = folder.port("photo.frag --channel photo=a.png -o other.html");
     assert_eq!(code, Some(2), "{message}");
     assert!(
         message.contains("unknown sampler `photo`; the shader has `u_photo`"),
@@ -445,29 +408,29 @@ fn channels_are_named_by_their_sampler() {
 
 #[test]
 fn shaders_of_other_engines_are_one_error_and_write_no_files() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let godot =
         "// Waves\nshader_type canvas_item;\nvoid fragment() { COLOR = vec4(UV, 0.0, 1.0); }\n";
     let hook = "//!HOOK LUMA\n//!BIND HOOKED\nvec4 hook() { return HOOKED_tex(HOOKED_pos); }\n";
-    folder.put("waves.glsl", godot);
-    folder.put("hook.glsl", hook);
-    folder.put("p/image.glsl", CODE);
-    folder.put("p/common.glsl", godot);
+    folder.write("waves.glsl", godot);
+    folder.write("hook.glsl", hook);
+    folder.write("p/image.glsl", CODE);
+    folder.write("p/common.glsl", godot);
     let expected = |place: &str, found: &str| {
         format!("{place}: expected GLSL for ShaderToy, WebGL or another host, found {found}")
     };
     let found = "a Godot shader: `shader_type canvas_item`";
-    folder.fails("waves.glsl -o a.html", &expected("waves.glsl:2", found));
-    folder.fails(
+    folder.port_fails("waves.glsl -o a.html", &expected("waves.glsl:2", found));
+    folder.port_fails(
         "waves.glsl -t json --repair",
         &expected("waves.glsl:2", found),
     );
-    folder.fails("p -o p.html", &expected("p/common.glsl:2", found));
+    folder.port_fails("p -o p.html", &expected("p/common.glsl:2", found));
     let found = "a user shader of mpv: `//!HOOK LUMA`";
-    folder.fails("hook.glsl -o a.html", &expected("hook.glsl:1", found));
+    folder.port_fails("hook.glsl -o a.html", &expected("hook.glsl:1", found));
     assert!(!folder.path("a.html").exists() && !folder.path("p.html").exists());
     // The user decides what a text is.
-    let (code, message) = folder.run("waves.glsl --host shadertoy -o a.html");
+    let (code, message) = folder.port("waves.glsl --host shadertoy -o a.html");
     assert!(
         code == Some(1) || message.contains("no entry point"),
         "{message}"
@@ -476,8 +439,8 @@ fn shaders_of_other_engines_are_one_error_and_write_no_files() {
 
 #[test]
 fn skipped_files_that_were_named_are_reported() {
-    let folder = Folder::new();
-    folder.put(
+    let folder = with_shader();
+    folder.write(
         "waves.glsl",
         "shader_type sky;\nvoid sky() { COLOR = vec3(0.0); }\n",
     );
@@ -507,16 +470,16 @@ fn skipped_files_that_were_named_are_reported() {
 
 #[test]
 fn programs_of_a_screen_saver_are_passes() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "void mainImage(out vec4 c, in vec2 p) { c = COMMON * texelFetch(iChannel0, ivec2(p), 0); }\n";
     for name in ["s/sea-0.glsl", "s/sea-1.glsl", "s/sea-2.glsl"] {
-        folder.put(name, code);
+        folder.write(name, code);
     }
-    folder.put("s/sea-c.glsl", "#define COMMON vec4(1.0)\n");
+    folder.write("s/sea-c.glsl", "#define COMMON vec4(1.0)\n");
     let note =
         "note: read as XScreenSaver: `iChannel0` to `iChannel3` are the outputs of programs 0 to 3";
-    folder.works("s -t json -o folder.json", note);
-    folder.works(
+    folder.ports("s -t json -o folder.json", note);
+    folder.ports(
         "s/sea-1.glsl s/sea-0.glsl s/sea-c.glsl s/sea-2.glsl -t json -o files.json",
         note,
     );
@@ -537,8 +500,8 @@ fn programs_of_a_screen_saver_are_passes() {
             assert_eq!(input["sampler"]["filter"], "nearest");
         }
     }
-    folder.put("s/lake-0.glsl", code);
-    let (exit, message) = folder.run("s -t json");
+    folder.write("s/lake-0.glsl", code);
+    let (exit, message) = folder.port("s -t json");
     assert!(
         exit == Some(2) && message.contains("no pass found"),
         "{message}"
@@ -554,7 +517,7 @@ fn compressed(xml: &str) -> Vec<u8> {
 
 #[test]
 fn projects_of_kodelife_are_decompressed_within_limits() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "uniform float clock; void main() { gl_FragColor = vec4(clock); }";
     let project = |api: &str, source: &str| {
         format!(
@@ -566,34 +529,34 @@ fn projects_of_kodelife_are_decompressed_within_limits() {
     };
     let read = "note: read as KodeLife (found `<klxml>`)\n";
     let other = "note: pass `Sort` is not drawn: its type is `COMPUTE`";
-    folder.put("gl.klproj", compressed(&project("GL2", "GL2")));
-    folder.put("gl.xml", project("GL2", "GL2"));
-    folder.works("gl.klproj -o gl.html", &format!("{read}{other}"));
-    folder.works("gl.xml -o xml.html", &format!("{read}{other}"));
+    folder.write("gl.klproj", compressed(&project("GL2", "GL2")));
+    folder.write("gl.xml", project("GL2", "GL2"));
+    folder.ports("gl.klproj -o gl.html", &format!("{read}{other}"));
+    folder.ports("gl.xml -o xml.html", &format!("{read}{other}"));
     let page = fs::read_to_string(folder.path("gl.html")).unwrap();
     assert!(page.contains("#define clock port_kl_CLOCK"));
-    folder.put("metal.klproj", compressed(&project("MTL", "GL2")));
+    folder.write("metal.klproj", compressed(&project("MTL", "GL2")));
     let older = "note: pass `pass 0`: the project is for `MTL`; its source for `GL2` is used, which may be older\n";
-    folder.works("metal.klproj -o m.html", &format!("{read}{older}{other}"));
-    folder.put("none.klproj", compressed(&project("MTL", "MTL")));
-    let (exit, message) = folder.run("none.klproj -o n.html");
+    folder.ports("metal.klproj -o m.html", &format!("{read}{older}{other}"));
+    folder.write("none.klproj", compressed(&project("MTL", "MTL")));
+    let (exit, message) = folder.port("none.klproj -o n.html");
     assert!(
         exit == Some(2) && message.contains("no pass of type `image`"),
         "{message}"
     );
 
     let whole = compressed(&project("GL2", "GL2"));
-    folder.put("cut.klproj", &whole[..whole.len() / 2]);
-    let (exit, message) = folder.run("cut.klproj -o c.html");
+    folder.write("cut.klproj", &whole[..whole.len() / 2]);
+    let (exit, message) = folder.port("cut.klproj -o c.html");
     assert!(
         exit == Some(2) && message.contains("the compressed project is damaged"),
         "{message}"
     );
-    folder.put(
+    folder.write(
         "bomb.klproj",
         compressed(&format!("<klxml>{}", " ".repeat(41 << 20))),
     );
-    folder.fails(
+    folder.port_fails(
         "bomb.klproj -o b.html",
         "bomb.klproj: the project is larger than 40 MB when decompressed",
     );
@@ -602,16 +565,16 @@ fn projects_of_kodelife_are_decompressed_within_limits() {
 /// Ranges that cannot become sliders are reported, and so are proposals; neither for plain shaders.
 #[test]
 fn sliders_are_listed() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "const int N = 2; // (0~4)\nconst float HALF = float(N) * 0.5; // (0~1)\n\
         const float GAIN = 0.5;\nfloat a[N];\n\
         void mainImage(out vec4 c, in vec2 p) { a[0] = HALF; c = vec4(a[0] * GAIN); }\n";
-    folder.put("s.glsl", code);
+    folder.write("s.glsl", code);
     let refused = "note: no slider for `HALF`: its value is not a literal\n\
         note: no slider for `N`: with 0 the shader does not compile: array size cannot be 0";
-    folder.works("s.glsl -o s.html", refused);
+    folder.ports("s.glsl -o s.html", refused);
     let proposed = format!("note: proposed sliders: `GAIN` (0~1)\n{refused}");
-    folder.works("s.glsl --sliders auto -o auto.js", &proposed);
-    folder.works("s.glsl --sliders none -o none.html", "");
-    folder.works("s.glsl --sliders auto -o s.frag", "");
+    folder.ports("s.glsl --sliders auto -o auto.js", &proposed);
+    folder.ports("s.glsl --sliders none -o none.html", "");
+    folder.ports("s.glsl --sliders auto -o s.frag", "");
 }

@@ -1,18 +1,21 @@
 //! `shaderport --repair`: what it repairs, and that it never breaks what compiles.
 #![cfg(unix)]
 
-use crate::port::Folder;
+use crate::port::with_shader;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Repairs a shader, which must then compile, and returns its new text and the messages.
 #[track_caller]
 fn repaired(name: &str, code: &str) -> (String, String) {
-    let folder = Folder::new();
-    folder.put(name, code);
-    let (exit, message) = folder.run(&format!("{name} --repair --verify -t glsl -o out.frag"));
+    let folder = with_shader();
+    folder.write(name, code);
+    let (exit, message) = folder.port(&format!("{name} --repair --verify -t glsl -o out.frag"));
     assert_eq!(exit, Some(0), "{code}\n{message}");
-    let diff = folder.command(&format!("{name} --diff")).output().unwrap();
+    let diff = folder
+        .port_command(&format!("{name} --diff"))
+        .output()
+        .unwrap();
     let diff = String::from_utf8(diff.stdout).unwrap();
     let lines = diff.lines().skip(2).filter(|l| l.starts_with('+'));
     let lines = lines.map(|l| format!("{}\n", l.trim_start_matches('+')));
@@ -74,11 +77,11 @@ fn names_that_glsl_es_3_reserves_are_replaced() {
 /// What compiles as WebGL1 is left if it cannot be converted.
 #[test]
 fn webgl1_shaders_that_cannot_be_converted_are_kept() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "#if __VERSION__ != 100\n#error expected GLSL ES 1.00\n#endif\nprecision highp float;\n\
                 void main() { gl_FragColor = vec4(1.0); }\n";
-    folder.put("old.frag", code);
-    let (exit, message) = folder.run("old.frag --repair -o out.frag");
+    folder.write("old.frag", code);
+    let (exit, message) = folder.port("old.frag --repair -o out.frag");
     assert_eq!(exit, Some(0), "{message}");
     let note = "note: not converted to GLSL ES 3.00 because it tests `__VERSION__`";
     assert!(message.contains(note), "{message}");
@@ -122,13 +125,13 @@ fn initial_values_from_macros_move_to_main() {
         &["vec2 pixel;", "    pixel = WIDE;"],
     );
     // Here the macro means something else in `main`.
-    let folder = Folder::new();
-    folder.put(
+    let folder = with_shader();
+    folder.write(
         "two.frag",
         "#version 330\nuniform float time;\nout vec4 c;\n#define T time\nfloat t = T;\n#undef T\n\
          #define T 2.0\nvoid main() { c = vec4(t * T); }\n",
     );
-    assert_eq!(folder.run("two.frag --repair -o out.frag").0, Some(1));
+    assert_eq!(folder.port("two.frag --repair -o out.frag").0, Some(1));
 }
 
 /// Integers become floats where they are used as such: in arguments, in the bodies of macros, and at the use
@@ -212,14 +215,14 @@ fn conditionals_in_macros_become_function_calls() {
         ],
     );
     // A function that computes both values would run `f` each time.
-    let folder = Folder::new();
-    folder.put(
+    let folder = with_shader();
+    folder.write(
         "calls.frag",
         "#version 330\nuniform float t;\nout vec4 c;\nstruct S { float d; };\n\
          #define OR(x, a, b) x ? a : b\nS f(inout float x) { x += 1.0; return S(x); }\n\
          void main() { float x = t; S s = S(t); x += (OR(t > 1.0, f(x), s)).d; c = vec4(x); }\n",
     );
-    assert_eq!(folder.run("calls.frag --repair -o out.frag").0, Some(1));
+    assert_eq!(folder.port("calls.frag --repair -o out.frag").0, Some(1));
 }
 
 /// Where a function has overloads for integers and floats, desktop GLSL converts the integers.
@@ -244,7 +247,7 @@ fn integer_arguments_beside_floats_are_converted() {
 /// `--channel` finds a sampler that was renamed by its old name and by its new one.
 #[test]
 fn renamed_samplers_are_found_by_both_names() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let png = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/browser/page.png");
     fs::copy(png, folder.path("photo.png")).unwrap();
     let old = "precision mediump float;\nuniform sampler2D texture;\nvarying vec2 uv;\n\
@@ -260,16 +263,16 @@ fn renamed_samplers_are_found_by_both_names() {
         ("broken.frag", broken, "sample", "sampleColor"),
         ("desktop.frag", desktop, "sample", "sampleColor"),
     ] {
-        folder.put(name, code);
+        folder.write(name, code);
         for sampler in [sampler, new] {
             let channel = format!("--channel {sampler}=photo.png");
             let command = format!("{name} --repair {channel} -o out.html --force");
-            let (exit, message) = folder.run(&command);
+            let (exit, message) = folder.port(&command);
             assert_eq!(exit, Some(0), "{name} {sampler}: {message}");
             assert!(message.contains("embedded photo.png"), "{message}");
         }
         let command = format!("{name} --repair --channel other=photo.png -o out.html --force");
-        let (exit, message) = folder.run(&command);
+        let (exit, message) = folder.port(&command);
         assert!(exit != Some(0) && message.contains(new), "{message}");
     }
 }
@@ -298,16 +301,16 @@ fn repaired_shaders_still_compile() {
     for folder in ["tests/fixtures", "corpus"] {
         shaders_in(&root.join(folder), &mut all);
     }
-    let folder = Folder::new();
+    let folder = with_shader();
     let mut compiling = 0;
     for path in &all {
         let path = path.display();
-        let plain = folder.run(&format!("{path} -t glsl -o out.frag --force"));
+        let plain = folder.port(&format!("{path} -t glsl -o out.frag --force"));
         if plain.0 != Some(0) {
             continue;
         }
         compiling += 1;
-        let (exit, message) = folder.run(&format!("{path} -t glsl -o out.frag --force --repair"));
+        let (exit, message) = folder.port(&format!("{path} -t glsl -o out.frag --force --repair"));
         assert_eq!(exit, Some(0), "{path}: {message}");
     }
     assert!(compiling > 50, "{compiling} of {}", all.len());

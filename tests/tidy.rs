@@ -8,6 +8,7 @@ mod names;
 mod scripts;
 mod sizes;
 
+use super::scratch::Scratch;
 use code::{Token, tokens, without_tests};
 use shaderlint::diagnostic::ERRORS;
 use shaderlint::lint::Page;
@@ -130,14 +131,14 @@ fn every_error_has_a_page() {
 #[cfg(unix)]
 #[test]
 fn rules_new_creates_a_sorted_rule_and_page() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = Scratch::new(&[]);
     for file in ["rules/new", "rules/lib.rs", "src/lint/rule.rs"] {
-        let to = folder.path().join(file);
+        let to = folder.path(file);
         fs::create_dir_all(to.parent().unwrap()).unwrap();
         fs::copy(root().join(file), to).unwrap();
     }
     let new = |args: &[&str]| {
-        let mut command = std::process::Command::new(folder.path().join("rules/new"));
+        let mut command = std::process::Command::new(folder.path("rules/new"));
         command.args(args).output().unwrap().status.success()
     };
     assert!(new(&["even-odds", "numeric"]));
@@ -146,7 +147,7 @@ fn rules_new_creates_a_sorted_rule_and_page() {
         !new(&["other-odds", "groupless"]),
         "the group does not exist"
     );
-    let read = |file: &str| fs::read_to_string(folder.path().join("rules").join(file)).unwrap();
+    let read = |file: &str| folder.read(&format!("rules/{file}"));
     assert!(read("even_odds.rs").contains("group: Group::Numeric,"));
     assert!(Page::new(&read("even_odds.md")).name == "even-odds");
     let list = read("lib.rs");

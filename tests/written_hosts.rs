@@ -1,7 +1,7 @@
 //! Shaders that `shaderport` writes for other hosts than pages.
 #![cfg(unix)]
 
-use super::port::Folder;
+use super::port::with_shader;
 use shaderlint::host::Preset;
 use shaderlint::port::{HostedShader, Target};
 use std::fs;
@@ -30,10 +30,10 @@ fn hosts() -> impl Iterator<Item = &'static Preset> {
 
 #[test]
 fn every_host_with_a_template_draws_the_same_image() {
-    let folder = Folder::new();
-    folder.put("toy.glsl", TOY);
-    folder.put("still.glsl", STILL);
-    folder.put("screen.glsl", SCREEN);
+    let folder = with_shader();
+    folder.write("toy.glsl", TOY);
+    folder.write("still.glsl", STILL);
+    folder.write("screen.glsl", SCREEN);
     let mut count = 0;
     for host in hosts() {
         let name = host.name;
@@ -41,7 +41,8 @@ fn every_host_with_a_template_draws_the_same_image() {
         let has_screen = name != "xscreensaver";
         for (shader, is_written) in [("toy", knows_time), ("still", true), ("screen", has_screen)] {
             let out = format!("{shader}-{name}.frag");
-            let (code, message) = folder.run(&format!("{shader}.glsl -t {name} --verify -o {out}"));
+            let (code, message) =
+                folder.port(&format!("{shader}.glsl -t {name} --verify -o {out}"));
             if !is_written {
                 assert_eq!(code, Some(1), "{name}, {shader}: {message}");
                 assert!(!folder.path(&out).exists(), "{name}, {shader}");
@@ -52,7 +53,7 @@ fn every_host_with_a_template_draws_the_same_image() {
                 || message.contains("Image: identical code");
             assert!(is_same, "{name}, {shader}: {message}");
             // The host is recognised, or it is one that runs code of ShaderToy.
-            let (code, message) = folder.run(&format!("{out} -o {out}.html"));
+            let (code, message) = folder.port(&format!("{out} -o {out}.html"));
             assert_eq!(code, Some(0), "{name}, {shader}: {message}");
             let runs_toys = host.entries.iter().any(|entry| entry == "mainImage");
             let is_read = message.contains(&format!("read as {} (found ", host.read_as()));
@@ -65,10 +66,10 @@ fn every_host_with_a_template_draws_the_same_image() {
 
 #[test]
 fn uses_of_variables_the_host_lacks_are_errors() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let check = |code: &str, target: &str, expected: &[&str]| {
-        folder.put("x.glsl", code);
-        let (exit, message) = folder.run(&format!("x.glsl -t {target} -o out.glsl"));
+        folder.write("x.glsl", code);
+        let (exit, message) = folder.port(&format!("x.glsl -t {target} -o out.glsl"));
         assert_eq!(exit, Some(1), "{target}: {message}");
         assert!(!folder.path("out.glsl").exists(), "{target}: {message}");
         for part in expected {
@@ -116,12 +117,12 @@ fn uses_of_variables_the_host_lacks_are_errors() {
 /// ShaderToy's mouse is 0 until the first click, and so it stays.
 #[test]
 fn the_mouse_is_zero_on_hosts_without_one() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    \
         vec2 at = iMouse.z > 0.0 ? iMouse.xy : p;\n    c = vec4(sin(at), 0.0, 1.0);\n}\n";
-    folder.put("x.glsl", code);
+    folder.write("x.glsl", code);
     for host in ["ghostty", "hyprland"] {
-        let (exit, message) = folder.run(&format!("x.glsl -t {host} --verify -o {host}.glsl"));
+        let (exit, message) = folder.port(&format!("x.glsl -t {host} --verify -o {host}.glsl"));
         assert_eq!(exit, Some(0), "{host}: {message}");
         let warning = format!("host `{host}` has no mouse: `iMouse` stays 0");
         for part in [&*warning, "x.glsl:2:15", "Image: identical"] {
@@ -134,7 +135,7 @@ fn the_mouse_is_zero_on_hosts_without_one() {
 
 #[test]
 fn inputs_of_an_export_that_the_host_lacks_are_errors() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let export = |input: &str| {
         format!(
             r#"{{"renderpass":[{{"type":"image","outputs":[],"inputs":[{input}],
@@ -147,8 +148,8 @@ fn inputs_of_an_export_that_the_host_lacks_are_errors() {
     {
         let input =
             format!(r#"{{"id":"4dfGRn","src":"/media/a/x.jpg","ctype":"{kind}","channel":0}}"#);
-        folder.put("x.json", export(&input));
-        let (code, message) = folder.run(&format!("x.json -t ghostty -o {number}.glsl"));
+        folder.write("x.json", export(&input));
+        let (code, message) = folder.port(&format!("x.json -t ghostty -o {number}.glsl"));
         assert_eq!(code, Some(1), "{kind}: {message}");
         let lacks = "host `ghostty` does not provide `iChannel0`: ";
         assert!(message.contains(lacks), "{kind}: {message}");
@@ -157,11 +158,11 @@ fn inputs_of_an_export_that_the_host_lacks_are_errors() {
 
 #[test]
 fn flutter_output_has_a_class_that_sets_its_uniforms() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let code = "void mainImage(out vec4 c, in vec2 p) {\n    \
         c = texture(iChannel0, p / iResolution.xy) * iMouse * float(iFrame) * iTime;\n}\n";
-    folder.put("sea.glsl", code);
-    let (exit, message) = folder.run("sea.glsl -t flutter --verify -o sea.frag");
+    folder.write("sea.glsl", code);
+    let (exit, message) = folder.port("sea.glsl -t flutter --verify -o sea.frag");
     assert_eq!(exit, Some(0), "{message}");
     let read = |name: &str| fs::read_to_string(folder.path(name)).unwrap();
     insta::assert_snapshot!(
@@ -172,23 +173,23 @@ fn flutter_output_has_a_class_that_sets_its_uniforms() {
 
 #[test]
 fn screen_saver_programs_are_written_and_read_back() {
-    let folder = Folder::new();
-    folder.put(
+    let folder = with_shader();
+    folder.write(
         "toy/common.glsl",
         "float wave(float x) { return sin(x); }\n",
     );
     let buffer =
         "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x), iTime, 0.0, 0.5); }\n";
-    folder.put("toy/buffer_a.glsl", buffer);
+    folder.write("toy/buffer_a.glsl", buffer);
     let second =
         "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel2, ivec2(p), 0); }\n";
-    folder.put("toy/buffer_b.glsl", second);
+    folder.write("toy/buffer_b.glsl", second);
     let image = "void mainImage(out vec4 c, in vec2 p) {\n    vec2 at = p / iResolution.xy;\n    \
         c = wave(at.x) * texture(iChannel0, at) + texture(iChannel1, at);\n}\n";
-    folder.put("toy/image.glsl", image);
+    folder.write("toy/image.glsl", image);
     let channels =
         "--channel buffer_b.2=buffer_a --channel image.0=buffer_b --channel image.1=buffer_a";
-    let (code, message) = folder.run(&format!("toy {channels} -t xscreensaver --verify -o sea/"));
+    let (code, message) = folder.port(&format!("toy {channels} -t xscreensaver --verify -o sea/"));
     assert_eq!(code, Some(0), "{message}");
     for pass in ["buffer_a", "buffer_b", "image"] {
         assert!(message.contains(&format!("{pass}: identical")), "{message}");
@@ -201,17 +202,17 @@ fn screen_saver_programs_are_written_and_read_back() {
         second.replace("iChannel2", "iChannel0")
     );
     assert!(read("sea/sea-2.glsl").contains("texture(iChannel1, at) + texture(iChannel0, at)"));
-    let (code, message) = folder.run("sea -t json -o back.json");
+    let (code, message) = folder.port("sea -t json -o back.json");
     assert_eq!(
         (code, message.contains("read as XScreenSaver")),
         (Some(0), true)
     );
     let own = format!("toy {channels} --channel buffer_a.0=buffer_a -t xscreensaver -o no/");
-    folder.put(
+    folder.write(
         "toy/buffer_a.glsl",
         buffer.replace("wave(p.x)", "texelFetch(iChannel0, ivec2(p), 0).x"),
     );
-    let (code, message) = folder.run(&own);
+    let (code, message) = folder.port(&own);
     let lacks = "a program cannot read what it drew itself";
     assert!(code == Some(1) && message.contains(lacks), "{message}");
 }
@@ -219,7 +220,7 @@ fn screen_saver_programs_are_written_and_read_back() {
 /// Complete shaders of other hosts, with a `main` and uniforms of their own.
 #[test]
 fn shaders_of_other_hosts_are_written() {
-    let folder = Folder::new();
+    let folder = with_shader();
     let old = "precision mediump float;\nuniform float time;\nuniform vec2 resolution;\n\
         float tex(vec2 p) { return sin(p.x * 9.0 + time); }\nvoid main() {\n    \
         vec2 uv = gl_FragCoord.xy / resolution;\n    \
@@ -230,23 +231,24 @@ fn shaders_of_other_hosts_are_written() {
     let both = "precision mediump float;\nuniform float time;\nuniform vec2 resolution;\n\
         #define iTime time\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(p / resolution, iTime, 1.0); }\n\
         void main() { mainImage(gl_FragColor, gl_FragCoord.xy); }\n";
-    folder.put("old.frag", old);
-    folder.put("new.frag", new);
-    folder.put("both.frag", both);
+    folder.write("old.frag", old);
+    folder.write("new.frag", new);
+    folder.write("both.frag", both);
     for name in ["ghostty", "hyprland", "flutter"] {
         for shader in ["old", "new", "both"] {
             let out = format!("{shader}-{name}.glsl");
-            let (code, message) = folder.run(&format!("{shader}.frag -t {name} --verify -o {out}"));
+            let (code, message) =
+                folder.port(&format!("{shader}.frag -t {name} --verify -o {out}"));
             assert_eq!(code, Some(0), "{name}, {shader}: {message}");
             assert!(message.contains("identical"), "{name}, {shader}: {message}");
         }
     }
-    folder.put(
+    folder.write(
         "mouse.frag",
         old.replace("+ time", "+ time * mouse.x")
             .replace("uniform float", "uniform vec2 mouse;\nuniform float"),
     );
-    let (code, message) = folder.run("mouse.frag -t ghostty -o mouse.glsl");
+    let (code, message) = folder.port("mouse.frag -t ghostty -o mouse.glsl");
     assert_eq!(code, Some(1));
     let lacks = "host `ghostty` does not provide `mouse`";
     assert!(message.contains(lacks), "{message}");
@@ -254,7 +256,7 @@ fn shaders_of_other_hosts_are_written() {
 
 /// The template of each host alone is a shader of that host.
 #[test]
-fn templates_compile() {
+fn templates_of_hosts_compile() {
     for host in hosts() {
         let template = host.template.as_ref().unwrap();
         assert!(template.tail.is_empty() || template.tail.contains("port_image("));

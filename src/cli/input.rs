@@ -1,7 +1,8 @@
 //! Finds and reads input files.
 
-use super::config::{Configs, absolute};
+use super::config::absolute;
 use crate::detect::kind::{Claim, is_script, is_searched, made};
+use crate::engine::config::Configs;
 use crate::text::Content;
 use crate::text::path::slashed;
 use ignore::WalkBuilder;

@@ -142,7 +142,8 @@ impl Debuggee {
         Variant::of(&self.loaded, from, text, options)
     }
 
-    /// Whether what the frame depends on is not drawn yet. Only the first stop is right until then.
+    /// Whether passes that the frame depends on are not drawn yet. Until then, only the first stop
+    /// is correct.
     pub const fn is_pending(&self) -> bool {
         self.pending.is_some()
     }
@@ -266,7 +267,7 @@ impl Debuggee {
     }
 }
 
-/// The message of a variant that was not made.
+/// Why a variant was not created.
 pub fn message(unmade: Unmade) -> String {
     match unmade {
         Unmade::Error(message, _) | Unmade::Other(message) => message,

@@ -92,7 +92,7 @@ impl InsertionPlace {
     /// The text that evaluates an expression and keeps its value, of this type, if one is given.
     ///
     /// # Errors
-    /// A message if the expression is none.
+    /// A message if it is not an expression.
     pub fn insert(&self, expression: &str, ty: Option<&str>) -> Result<InsertedText, String> {
         is_one_expression(expression)?;
         let declared = ty.map_or(String::new(), |ty| format!("{ty} {NAME}; "));

@@ -5,6 +5,7 @@
 //! files and print findings.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
+mod check;
 mod check_context;
 pub mod config;
 mod files;
@@ -18,10 +19,11 @@ mod repair;
 mod shader;
 mod text;
 
+pub use check::{analyze, check, check_content};
 pub use files::file_cache::FileCache;
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
-pub use findings::document::{Report, Unread, analyze, check, check_content};
 pub use findings::partner::program_name;
+pub use findings::report::Report;
 pub use fix::fix_text::fix_text;
 pub use fix::format::{Formatting, format};
 pub use fix::modernize::modernize;
@@ -33,6 +35,7 @@ pub use repair::{Repairs, repair, repairable};
 pub use shader::analysis::Analysis;
 pub use shader::shader_input::Shader;
 pub use shaderlint_semantic::Completeness;
+pub use text::split::Unread;
 
 #[cfg(test)]
 mod tests {

@@ -99,8 +99,8 @@ pub(super) fn error_count(composed: &Composed) -> usize {
     errors(composed).0.len()
 }
 
-/// By how many the errors decrease if the project is repaired: it is tried, because the fix of one error may
-/// cause another.
+/// By how many the errors decrease if the project is repaired. It is repaired for this, because the
+/// fix of one error may cause another.
 pub fn repairable(project: &Project, composed: &Composed, path: &str) -> usize {
     let mut candidate = project.clone();
     let done = repair(&mut candidate, composed, path).filter(|repairs| !repairs.is_empty());

@@ -86,7 +86,7 @@ fn first_difference(a: &Sampled, b: &Sampled) -> Option<[u32; 2]> {
 
 impl Bytecode {
     /// Whether the bytecode is identical for the same uniforms and samplers. Names of stage inputs
-    /// must match, names of outputs need not.
+    /// must match, but not names of outputs.
     fn is_same(&self, other: &Bytecode) -> bool {
         self.body == other.body
             && self.uniform_prologue == other.uniform_prologue

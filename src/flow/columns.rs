@@ -75,7 +75,7 @@ pub fn column_reads(
     found
 }
 
-/// The columns at coordinates; those outside of the texture are none.
+/// The columns at coordinates, without those outside of the texture.
 fn columns(values: &[f64], scale: f64, width: u32) -> impl Iterator<Item = u32> {
     let columns = values.iter().map(move |value| (value * scale).floor());
     let inside = columns.filter(move |column| (0.0..f64::from(width)).contains(column));

@@ -64,7 +64,7 @@ fn all(
 }
 
 /// Whether the same definitions reach two loads in all components. Elements of an array are not
-/// told apart.
+/// distinguished.
 fn is_same_load(module: &Module, defs: &ReachingDefinitions, a: OpId, b: OpId) -> bool {
     let (OpKind::Load(place), OpKind::Load(other)) = (module.op(a).kind, module.op(b).kind) else {
         return false;

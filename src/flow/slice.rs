@@ -20,7 +20,7 @@ struct Slice<'a> {
     ops: FxHashSet<OpId>,
 }
 
-/// The operations whose values flow into `roots`. Conditions select values and are no part of them;
+/// The operations whose values flow into `roots`. Conditions select values and are not part of them;
 /// the operands of an operation are followed if `carries` returns `true` for it.
 pub fn backward_slice(
     module: &Module,

@@ -17,7 +17,7 @@ pub struct StatementRow {
     /// Its first item, and the item after the last one.
     pub from: usize,
     to: usize,
-    /// The item after the last one that is no comment.
+    /// The item after the last one that is not a comment.
     end: usize,
     line: u32,
     /// The number of its statements.

@@ -154,7 +154,7 @@ fn unseen(document: &Document, span: Span, found: &mut Vec<SemanticToken>) {
     }
 }
 
-/// Whether the grammar of an editor highlights a shader: it is no string, or one with a tag, with a
+/// Whether the grammar of an editor highlights a shader: it is not a string, or one with a tag, with a
 /// comment that names the language, or with `#version` at its start.
 fn is_highlighted(text: &str, embedded: &Embedded) -> bool {
     let before = text.get(..embedded.start).unwrap_or("");

@@ -59,7 +59,7 @@ impl Group {
 #[cfg_attr(feature = "cli", derive(serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "cli", serde(rename_all = "lowercase"))]
 pub enum RulePreset {
-    /// The default: what nearly every author wants to know.
+    /// The default: useful for nearly every author.
     Recommended,
     /// Also clean code, and what differs between GPUs.
     Strict,

@@ -1,15 +1,15 @@
 //! Findings about configurations, published for their own files.
 
 use super::snapshot::Snapshot;
-use super::workspace::ConfigFinding;
 use gen_lsp_types::{Diagnostic, DiagnosticSeverity, PublishDiagnosticsParams, Range};
+use shaderlint_engine::config::ConfigProblem;
 use shaderlint_text::Span;
 
 /// The findings of a configuration; none if it is valid.
 pub fn config_findings(
     snapshot: &Snapshot,
     path: &str,
-    finding: Option<&ConfigFinding>,
+    finding: Option<&ConfigProblem>,
 ) -> PublishDiagnosticsParams {
     let diagnostic = finding.map(|finding| Diagnostic {
         range: range(snapshot, path, finding),
@@ -26,7 +26,7 @@ pub fn config_findings(
 }
 
 /// From the place of a finding to the end of its line.
-fn range(snapshot: &Snapshot, path: &str, finding: &ConfigFinding) -> Range {
+fn range(snapshot: &Snapshot, path: &str, finding: &ConfigProblem) -> Range {
     let (line, column) = finding.at.unwrap_or((1, 1));
     let range = snapshot.with_lines(path, |lines| {
         let (start, end) = lines.index.bounds(

@@ -29,4 +29,4 @@ pub use run::run_buffer;
 pub use session::{Session, initialized};
 pub use snapshot::Snapshot;
 pub use uri::{path_of, uri_of};
-pub use workspace::{ConfigFinding, SampleRuns, Workspace};
+pub use workspace::{SampleRuns, Workspace, WorkspaceConfigs};

@@ -12,12 +12,13 @@ use super::pending_request::{PendingRequest, guarded};
 use super::preview;
 use super::snapshot::{Answer, Failure, Snapshot};
 use super::uri::path_of;
-use super::workspace::{ConfigFinding, Workspace};
+use super::workspace::Workspace;
 use gen_lsp_types::*;
 use lsp_server::{ErrorCode, Message, Notification as Sent, Request as Asked};
 use lsp_server::{RequestId, Response};
 use serde_json::{Value, json};
 use shaderlint_engine::Files;
+use shaderlint_engine::config::ConfigProblem;
 use shaderlint_ide::Document;
 use shaderlint_lint::Page;
 use shaderlint_rules::page;
@@ -45,7 +46,7 @@ pub struct Session {
     /// Whether the client sent `shutdown`.
     is_done: bool,
     /// The configurations with published findings.
-    invalid: BTreeMap<PathBuf, ConfigFinding>,
+    invalid: BTreeMap<PathBuf, ConfigProblem>,
     /// Whether configurations are to be looked at again.
     has_new_configs: bool,
 }

@@ -1,6 +1,9 @@
-//! What the server needs from whoever runs it.
+//! What the server requires from its environment.
 
 use gen_lsp_types::Uri;
+use shaderlint_engine::config::{
+    ConfigArgs, ConfigProblem, ConfigSource, Configs, Exclusion, LastGood, ProjectLimit, Selection,
+};
 use shaderlint_engine::{Files, Options};
 use shaderlint_format::StyleChoice;
 use shaderlint_port::Project;
@@ -16,17 +19,6 @@ pub enum SampleRuns {
     AsConfigured,
 }
 
-/// A configuration that cannot be used.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct ConfigFinding {
-    /// Path of the configuration file.
-    pub path: PathBuf,
-    /// Line and column in characters, from 1, if a place is wrong.
-    pub at: Option<(u32, u32)>,
-    /// What is wrong.
-    pub message: String,
-}
-
 /// The files that are not open, and the options of all files.
 pub trait Workspace: Send + Sync {
     /// The files that are not open.
@@ -37,7 +29,7 @@ pub trait Workspace: Send + Sync {
 
     /// The configurations that cannot be used, of those that apply to some files. Their last valid
     /// content is used.
-    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigFinding>;
+    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigProblem>;
 
     /// The formatting style of a file: as configured, and otherwise `client`.
     ///
@@ -72,4 +64,76 @@ pub trait Workspace: Send + Sync {
 
     /// The same workspace with other folders and with its configurations read again.
     fn renewed(&self, folders: &[PathBuf]) -> Arc<dyn Workspace>;
+}
+
+/// The configurations of the files in some folders.
+pub struct WorkspaceConfigs {
+    files: Arc<dyn Files + Send>,
+    limit: ProjectLimit,
+    /// For checking without sample runs.
+    pub quick: Configs,
+    /// For checking with sample runs.
+    full: Configs,
+    last_good: Arc<LastGood>,
+}
+
+impl WorkspaceConfigs {
+    /// Reads no file yet.
+    pub fn new(files: Arc<dyn Files + Send>, limit: ProjectLimit, folders: &[PathBuf]) -> Self {
+        WorkspaceConfigs::after(LastGood::default(), files, limit, folders)
+    }
+
+    /// Reads all files again. An invalid configuration is replaced by its last valid content.
+    pub fn renewed(&self, folders: &[PathBuf]) -> Self {
+        let (files, limit) = (self.files.clone(), self.limit.clone());
+        WorkspaceConfigs::after(self.last_good.renewed(), files, limit, folders)
+    }
+
+    fn after(
+        last_good: LastGood,
+        files: Arc<dyn Files + Send>,
+        limit: ProjectLimit,
+        folders: &[PathBuf],
+    ) -> Self {
+        let last_good = Arc::new(last_good);
+        let configs = |run_samples| {
+            let asked = ConfigArgs {
+                given: Selection {
+                    run_samples,
+                    ..Selection::default()
+                },
+                source: ConfigSource::Nearest,
+                exclusion: Exclusion::Named,
+                paths: folders.to_vec(),
+            };
+            let configs = Configs::new(files.clone(), limit.clone(), asked);
+            configs.with_last_good(last_good.clone())
+        };
+        let (quick, full) = (configs(Some(0)), configs(None));
+        WorkspaceConfigs {
+            files,
+            limit,
+            quick,
+            full,
+            last_good,
+        }
+    }
+
+    /// The options for checking a file; `None` if its configuration never was valid.
+    pub fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
+        let configs = match runs {
+            SampleRuns::Off => &self.quick,
+            SampleRuns::AsConfigured => &self.full,
+        };
+        configs.options(path).ok()
+    }
+
+    /// The configurations that cannot be used, of those that apply to some files.
+    pub fn invalid(&self, paths: &[PathBuf]) -> Vec<ConfigProblem> {
+        for path in paths {
+            // An invalid one is kept as a problem.
+            let _ = self.quick.config(path);
+        }
+        self.last_good.problems()
+    }
 }

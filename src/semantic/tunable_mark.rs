@@ -16,10 +16,10 @@ pub struct TunableRange {
     pub text: String,
 }
 
-/// What a comment says of the value before it.
+/// What a comment states about the value before it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct TunableMark {
-    /// What it says.
+    /// Its meaning.
     pub meaning: MarkMeaning,
     /// Span of the mark in the comment.
     pub span: Span,

@@ -5,7 +5,6 @@
 //! `js/index.js` does that. A panic ends the instance; the host then starts another one.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
-mod configs;
 #[cfg(feature = "port")]
 mod debug;
 mod files;

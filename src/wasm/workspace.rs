@@ -1,14 +1,13 @@
 //! The workspace of files that the host sent.
 
-use super::configs::SentConfigs;
 use super::files::MemoryFiles;
 use gen_lsp_types::Uri;
 use shaderlint_detect::kind::is_searched;
 use shaderlint_diagnostic::ERRORS;
+use shaderlint_engine::config::{ConfigProblem, ProjectLimit};
 use shaderlint_engine::{Files, Options};
 use shaderlint_format::StyleChoice;
-use shaderlint_lsp::{ConfigFinding, SampleRuns, Workspace};
-use std::cmp::Reverse;
+use shaderlint_lsp::{SampleRuns, Workspace, WorkspaceConfigs};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,8 +15,7 @@ use std::sync::Arc;
 /// A workspace of files that the host sent, with their configurations.
 pub struct SentWorkspace {
     saved: Arc<MemoryFiles>,
-    folders: Vec<PathBuf>,
-    configs: SentConfigs,
+    configs: WorkspaceConfigs,
     /// Address of the documentation; ends with a slash.
     site: Option<String>,
 }
@@ -30,19 +28,10 @@ impl SentWorkspace {
         site: Option<String>,
     ) -> SentWorkspace {
         SentWorkspace {
-            configs: SentConfigs::new(saved.clone()),
+            configs: WorkspaceConfigs::new(saved.clone(), ProjectLimit::Nothing, folders),
             saved,
-            folders: folders.to_vec(),
             site,
         }
-    }
-
-    /// The workspace folders around a file, innermost first.
-    fn around(&self, path: &Path) -> Vec<PathBuf> {
-        let around = self.folders.iter().filter(|f| path.starts_with(f));
-        let mut around: Vec<PathBuf> = around.cloned().collect();
-        around.sort_by_key(|folder| Reverse(folder.components().count()));
-        around
     }
 }
 
@@ -52,16 +41,15 @@ impl Workspace for SentWorkspace {
     }
 
     fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
-        self.configs.options(path, self.around(path), runs)
+        self.configs.options(path, runs)
     }
 
     fn style(&self, path: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>> {
-        self.configs.style(path, client)
+        self.configs.quick.style(path, client)
     }
 
     fn leaves_out(&self, path: &Path) -> bool {
-        let config = self.configs.nearest(path);
-        config.is_ok_and(|config| config.is_some_and(|config| config.leaves_out(path)))
+        self.configs.quick.leaves_out(path)
     }
 
     fn files(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
@@ -75,8 +63,8 @@ impl Workspace for SentWorkspace {
         searched.into_iter().collect()
     }
 
-    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigFinding> {
-        self.configs.problems(paths)
+    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigProblem> {
+        self.configs.invalid(paths)
     }
 
     fn project_files(&self, path: &Path, folders: &[PathBuf]) -> Vec<PathBuf> {
@@ -102,8 +90,7 @@ impl Workspace for SentWorkspace {
     fn renewed(&self, folders: &[PathBuf]) -> Arc<dyn Workspace> {
         Arc::new(SentWorkspace {
             saved: self.saved.clone(),
-            folders: folders.to_vec(),
-            configs: self.configs.renewed(),
+            configs: self.configs.renewed(folders),
             site: self.site.clone(),
         })
     }

@@ -104,8 +104,8 @@ async function ownCompile(context) {
 }
 
 export function compileTests() {
-  const tests = [{ name: 'compiled: templates, cases and all stand-ins', run: ownCompile }];
+  const tests = [{ name: 'compiled: templates, cases and all stand-ins compile', run: ownCompile }];
   const exports = compiledExports();
-  if (exports.length > 0) tests.push({ name: 'compiled: the exports', run: async (context) => pagesCompile(context, await ported(exports)) });
+  if (exports.length > 0) tests.push({ name: 'compiled: the exports compile', run: async (context) => pagesCompile(context, await ported(exports)) });
   return tests;
 }

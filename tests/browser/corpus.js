@@ -160,7 +160,7 @@ export async function corpusTests() {
   return [
     ...tests,
     ...sweep,
-    { name: 'exports: few are too much for the GPU', only: SWEEP, isLast: true, run: () => fewAreLost(swept.length) },
-    { name: 'exports: those that use the time move', only: SWEEP, isLast: true, run: mostMove },
+    { name: 'exports: few exceed the GPU', only: SWEEP, isLast: true, run: () => fewAreLost(swept.length) },
+    { name: 'exports: animated exports change over time', only: SWEEP, isLast: true, run: mostMove },
   ];
 }

@@ -103,5 +103,5 @@ export const dialectTests = [
     only: isFirst(dialect, file) ? undefined : 'a sweep; compilation is always tested',
     run: (context) => drawn(context, dialect, file),
   })),
-  { name: 'dialect-controls', run: controlsAreUniforms },
+  { name: 'dialects: controls set uniforms', run: controlsAreUniforms },
 ];

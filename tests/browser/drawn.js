@@ -146,9 +146,9 @@ async function agree(context, programs, size) {
 const programs = (count, seed) => written('drawn', '--count', `${count}`, '--seed', `${seed}`);
 
 export const drawnTests = (seed) => [
-  { name: 'drawn: built-in functions', run: async (context) => agree(context, await written('builtins'), 64) },
-  { name: 'drawn: programs', run: async (context) => agree(context, await programs(50, seed), 8) },
-  { name: 'drawn: more programs', only: 'a sweep', run: async (context) => agree(context, await programs(250, seed + 50), 8) },
+  { name: 'drawn: built-in functions equal those of the browser', run: async (context) => agree(context, await written('builtins'), 64) },
+  { name: 'drawn: random programs equal those of the browser', run: async (context) => agree(context, await programs(50, seed), 8) },
+  { name: 'drawn: more random programs equal those of the browser', only: 'a sweep', run: async (context) => agree(context, await programs(250, seed + 50), 8) },
 ];
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

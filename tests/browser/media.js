@@ -295,15 +295,15 @@ async function without(context) {
 }
 
 export const mediaTests = [
-  { name: 'media: white noise', run: whiteNoise },
-  { name: 'media: noise in three dimensions', run: continuous },
-  { name: 'media: noise of one component', run: oneComponent },
-  { name: 'media: the dithering matrix', run: dithering },
-  { name: 'media: blue noise', run: blueNoise },
-  { name: 'media: the font', run: font },
+  { name: 'media: white noise is uniform', run: whiteNoise },
+  { name: 'media: noise in three dimensions is continuous', run: continuous },
+  { name: 'media: noise of one component is in red', run: oneComponent },
+  { name: 'media: the dithering matrix is an 8x8 Bayer matrix', run: dithering },
+  { name: 'media: blue noise lacks low frequencies', run: blueNoise },
+  { name: 'media: the font has its characters at their codes', run: font },
   ...everyStandIn(),
   { name: 'media: cube maps are upright', run: upright },
-  { name: 'media: a video', run: film },
-  { name: 'media: music', run: music },
-  { name: 'media: none', run: without },
+  { name: 'media: the video moves and repeats', run: film },
+  { name: 'media: music plays', run: music },
+  { name: 'media: without stand-ins the channel is black', run: without },
 ];

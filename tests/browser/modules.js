@@ -368,7 +368,7 @@ async function misuse(context) {
 }
 
 export const moduleTests = [
-  { name: 'module: nothing that is used is left out', run: complete },
+  { name: 'module: all used parts are included', run: complete },
   { name: 'module: mount draws the same pixels, twice on one page', run: mount },
   { name: 'module: misuse reports an error or does nothing', run: misuse },
   { name: 'module: three.js draws the same pixels', run: three },

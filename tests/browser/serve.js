@@ -236,9 +236,9 @@ async function hiddenTabs(context) {
 }
 
 export const serveTests = [
-  { name: 'a served page follows every way of saving', run: waysOfSaving },
+  { name: 'a served page follows in-place and atomic saves', run: waysOfSaving },
   { name: 'a served page follows a folder that grows', run: growingFolder },
-  { name: 'a served page waits for its server to come back', run: serverComesBack },
+  { name: 'a served page reconnects to a restarted server', run: serverComesBack },
   { name: 'a hidden served page closes its connection', run: hiddenTabs },
   { name: 'a served page continues when its file is saved', run: savedFile },
   { name: 'a served page waits for its file', run: lateFile },

@@ -128,11 +128,11 @@ const DIALECTS = path.join(top, 'tests/fixtures/dialects');
 const toy = (name, shader) => put(name, typeof shader === 'string' ? shader : JSON.stringify(shader));
 
 export const threeWebgpuTests = [
-  { name: 'three-webgpu: names of three.js', run: (context) => same(context, toy('gpu_names.glsl', NAMES), 3) },
-  { name: 'three-webgpu: buffers', run: (context) => same(context, toy('gpu_buffers.json', BUFFERS), 4) },
-  { name: 'three-webgpu: the order of passes', run: (context) => same(context, toy('gpu_order.json', CASES.find((c) => c.name.includes('order of the export')).shader), 6) },
-  { name: 'three-webgpu: uniforms of the user', run: controls },
-  { name: 'three-webgpu: what is not supported', run: refused },
+  { name: 'three-webgpu: names of three.js may be used by the shader', run: (context) => same(context, toy('gpu_names.glsl', NAMES), 3) },
+  { name: 'three-webgpu: buffers draw the same', run: (context) => same(context, toy('gpu_buffers.json', BUFFERS), 4) },
+  { name: 'three-webgpu: passes draw in the same order', run: (context) => same(context, toy('gpu_order.json', CASES.find((c) => c.name.includes('order of the export')).shader), 6) },
+  { name: 'three-webgpu: user-defined uniforms are properties', run: controls },
+  { name: 'three-webgpu: unsupported features are refused', run: refused },
   ...['three/gradient.glsl', 'glsl-sandbox/feedback.glsl', 'book-of-shaders/buffers.frag', 'isf/trails.fs'].map((file) => ({
     name: `three-webgpu: ${file}`,
     run: (context) => same(context, path.join(DIALECTS, file), 4),

@@ -113,8 +113,8 @@ function gaps() {
 }
 
 export const unitTests = [
-  { name: 'unit: pauses between frames', run: gaps },
-  { name: "unit: the compiler's log", run: logs },
+  { name: 'unit: pauses between frames do not advance the simulation', run: gaps },
+  { name: "unit: the compiler's log is parsed", run: logs },
   { name: 'unit: tunable numbers move with the text', run: tunables },
-  { name: 'unit: invalid times', run: clock },
+  { name: 'unit: invalid times are refused', run: clock },
 ];

@@ -91,8 +91,8 @@ async function record(context) {
 }
 
 export const verdictTests = (seed) => [
-  { name: 'verdicts of small shaders', run: isRecorded },
-  { name: 'verdicts of programs', run: async (context) => agree(context, await programs(300, seed)) },
+  { name: 'recorded verdicts are those of the browser', run: isRecorded },
+  { name: 'verdicts of random programs are those of the browser', run: async (context) => agree(context, await programs(300, seed)) },
 ];
 
 /** Generates programs and prints those with different verdicts; resolves to their number. */

@@ -213,10 +213,10 @@ export async function webgpuTests() {
       assert.ok(count <= 0.001 * total, `${count} of ${total} pixels differ`);
     },
   }));
-  tests.push({ name: 'webgpu: passes that read each other', run: passes });
-  tests.push({ name: 'webgpu: order of evaluation', run: order });
-  tests.push({ name: 'webgpu: derivatives after a return', run: returns, mayComplain: true });
-  tests.push({ name: 'webgpu: rounding of built-in functions', run: rounding });
+  tests.push({ name: 'webgpu: passes may read each other', run: passes });
+  tests.push({ name: 'webgpu: operands are evaluated in the order of WebGL', run: order });
+  tests.push({ name: 'webgpu: derivatives after a return are those of WebGL', run: returns, mayComplain: true });
+  tests.push({ name: 'webgpu: built-in functions round as in WebGL', run: rounding });
   const light = await lightExports();
   const swept = sweptExports(exportsOf().filter(isFlat));
   for (const file of new Set([...light, ...swept])) {

@@ -53,7 +53,7 @@ class Typed:
         return [d["message"] for d in errors(self.client.published(self.uri))]
 
 
-def test_members_of_a_struct(case):
+def test_members_of_a_struct_are_completed(case):
     typed = Typed(case)
     assert sorted(typed.ask("ray.")) == ["origin", "speed"], "the members"
     found = typed.ask("here = ray.sp;", back=1)
@@ -63,7 +63,7 @@ def test_members_of_a_struct(case):
     assert typed.ask("ray.")["origin"]["detail"] == "vec3", "the type of a member"
 
 
-def test_components_of_a_vector(case):
+def test_components_of_a_vector_are_completed(case):
     typed = Typed(case)
     found = typed.ask("ray.origin.")
     assert {"x", "xy", "xyz", "r", "rgb", "zyx"} <= set(found), ("too few components", sorted(found))
@@ -78,7 +78,7 @@ def test_components_of_a_vector(case):
     assert typed.ask("here = 1.") == {}, "completions after a decimal point"
 
 
-def test_names_that_are_in_scope(case):
+def test_names_in_scope_are_completed(case):
     typed = Typed(case)
     found = typed.ask("here = ")
     for name in ("here", "ray", "fragCoord", "map", "LIMIT", "iTime", "mix", "Ray", "vec3"):
@@ -117,7 +117,7 @@ def test_clients_without_snippets_get_plain_text(case):
         )
 
 
-def test_directives(case):
+def test_directives_are_completed(case):
     typed = Typed(case)
     for words in ("#", "# ", "#inc"):
         found = typed.ask(words)
@@ -129,7 +129,7 @@ def test_directives(case):
     assert typed.left() == [], "the errors"
 
 
-def test_paths_of_includes(case):
+def test_include_paths_are_completed(case):
     case.write("lib.glsl", "float lib() { return 1.0; }\n")
     case.write("inner/deep.glsl", "float deep() { return 1.0; }\n")
     case.write("picture.png", "no image file")
@@ -146,7 +146,7 @@ def test_paths_of_includes(case):
     assert typed.left() == [], "the errors"
 
 
-def test_names_of_rules(case):
+def test_names_of_rules_are_completed(case):
     typed = Typed(case)
     found = typed.ask("// shaderlint: allow(unus")
     assert {"unused-variable", "float-equality"} <= set(found) and "mix" not in found, (
@@ -162,7 +162,7 @@ def test_names_of_rules(case):
     assert typed.ask("/* here = ma */", back=3) == {}, "completions in an ordinary comment"
 
 
-def test_snippets(case):
+def test_snippets_are_completed(case):
     typed = Typed(case)
     inside = typed.ask("")
     loops = [i for i in inside.values() if i["kind"] == 15 and i["textEdit"]["newText"].startswith("for (")]

@@ -45,31 +45,31 @@ def judged(case, name):
     assert "main" in names and "gain" in names, f"the outline is incomplete: {names}"
 
 
-def test_shaders_in_pages(case):
+def test_shaders_in_pages_are_edited_in_place(case):
     judged(case, "page.html")
 
 
-def test_shaders_in_scripts(case):
+def test_shaders_in_scripts_are_edited_in_place(case):
     judged(case, "shader.js")
 
 
-def test_shaders_in_typescript(case):
+def test_shaders_in_typescript_are_edited_in_place(case):
     judged(case, "shader.ts")
 
 
-def test_shaders_in_vue(case):
+def test_shaders_in_vue_are_edited_in_place(case):
     judged(case, "Shader.vue")
 
 
-def test_shaders_in_svelte(case):
+def test_shaders_in_svelte_are_edited_in_place(case):
     judged(case, "Shader.svelte")
 
 
-def test_shaders_in_astro(case):
+def test_shaders_in_astro_are_edited_in_place(case):
     judged(case, "Shader.astro")
 
 
-def test_shaders_in_markdown(case):
+def test_shaders_in_markdown_are_edited_in_place(case):
     judged(case, "notes.md")
 
 
@@ -95,7 +95,7 @@ def export(image, common):
     return json.dumps(shader)
 
 
-def test_shaders_in_exports(case):
+def test_shaders_in_exports_are_edited_in_place(case):
     client = case.client()
     image = ("// \u00e9\tquote \" and \\\\ \nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {\n"
              "    fragColor = vec4(fragCoord / iResolution.xy, wave(iTime), missing);\n}\n")

@@ -339,7 +339,7 @@ def raw(data):
     return b"Content-Length: %d\r\n\r\n" % len(data) + data
 
 
-def test_input_that_is_no_message_is_answered(case):
+def test_invalid_messages_are_answered(case):
     client = case.client()
     for data, code in ((b'{"a":', -32700), (b"[1, 2]", -32600), (b'{"jsonrpc": "2.0"}', -32600)):
         client.write_bytes(raw(data))
@@ -349,7 +349,7 @@ def test_input_that_is_no_message_is_answered(case):
     assert client.published(source.uri) == [], "the findings afterwards"
 
 
-def test_a_header_that_cannot_be_read_ends_the_server(case):
+def test_an_invalid_header_ends_the_server(case):
     headers = {
         b"Content-Length: 99999999999999\r\n\r\n{}": "99999999999999 bytes",
         b"Content-Length: -5\r\n\r\n{}": "not a number",

@@ -327,7 +327,7 @@ def resident(pid):
     return None
 
 
-def test_random_edits(shaderlint, tmp_path, seed, bursts):
+def test_answers_after_random_edits_equal_those_of_a_new_server(shaderlint, tmp_path, seed, bursts):
     typist = Typist(shaderlint, str(tmp_path), seed)
     early = None
     try:

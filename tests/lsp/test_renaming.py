@@ -362,7 +362,7 @@ def test_uniforms_are_renamed_in_scripts(case):
             assert file.read() == other.text, "the text of another program"
 
 
-def test_a_script_that_may_mean_the_name_is_a_reason(case):
+def test_names_that_a_script_may_use_cannot_be_renamed(case):
     client = case.client()
     fragment = case.write("water.frag", FRAGMENT.replace("«f»", "")).open(client)
     case.write("scene.js", "import water from './water.frag';\nconst { gain } = settings;\n")
@@ -379,7 +379,7 @@ def test_names_in_the_edited_text_of_a_shader_are_renamed(case):
     assert after == source.text.replace("vUv", "vPlace").replace("log('vPlace')", "log('vUv')"), "the text"
 
 
-def test_a_renaming_covers_the_project_and_not_the_folder_of_the_client(case):
+def test_renaming_covers_the_project_of_the_file_only(case):
     for mark in ("package.json", "shaderlint.toml", ".git/HEAD"):
         folder = "of " + mark.replace("/", " ")
         case.write(folder + "/" + mark, "{}" if mark.endswith("json") else "")
@@ -400,7 +400,7 @@ def test_a_varying_is_renamed_in_stages_that_are_paired_by_name(case):
     assert after == {s.uri: s.text.replace("vUv", "vPlace") for s in (vertex, fragment)}, "the texts"
 
 
-def test_a_fragment_that_may_use_the_name_is_a_reason(case):
+def test_names_that_a_fragment_may_use_cannot_be_renamed(case):
     client = case.client()
     first = case.write("noise.glsl", "float «fn»noise2(vec2 p) { return fract(p.x * seed); }\n").open(client)
     case.write("clouds.glsl", "float clouds(vec2 p) {\n    return noise2(p) * 2.0;\n}\n")

@@ -126,7 +126,7 @@ def test_folders_can_be_added_and_removed(case):
     assert found(client, "") == ["two"], "of a folder that was added twice"
 
 
-def test_only_open_texts_without_a_folder(case):
+def test_clients_without_a_folder_get_symbols_of_open_texts(case):
     case.write("a.glsl", "float one(float x) { return x; }\n")
     client = case.client(folder=None)
     assert found(client, "") == [], "without an open text"
@@ -158,7 +158,7 @@ def test_pulled_diagnostics_include_new_files(case):
     assert items[0]["items"] == [], "the diagnostics of the fixed file"
 
 
-def test_moved_files_take_their_includes_along(case):
+def test_moving_a_file_updates_its_include_paths(case):
     client = case.client()
     main = "void mainImage(out vec4 c, in vec2 p) { c = vec4(wave(p.x)); }\n"
     library = case.write("lib/wave.glsl", '#include "./base.glsl"\n#include "more"\nfloat wave(float x) '

@@ -208,7 +208,7 @@ async def test_run_accepts_options(tools):
     assert "mean 0.250" in text, text
 
 
-async def test_references(tools):
+async def test_references_are_grouped_by_declaration(tools):
     (tools.folder / "sdf.glsl").write_text("float disc(vec2 p) { return length(p) - 1.0; }\n")
     (tools.folder / "main.glsl").write_text(
         '#include "sdf.glsl"\nfloat disc(float x) { return x; }\n'
@@ -223,7 +223,7 @@ async def test_references(tools):
     assert "no symbol is named `disk`" in await tools.bad("references", path="main.glsl", name="disk")
 
 
-async def test_format(tools):
+async def test_format_writes_on_request(tools):
     code = "void mainImage(out vec4 c,in vec2 p){c=vec4(p.x);}\n"
     formatted = "void mainImage(out vec4 c, in vec2 p) { c = vec4(p.x); }\n"
     assert await tools.good("format", code=code) == formatted
@@ -237,7 +237,7 @@ async def test_format(tools):
     assert "`write` requires `path`" in await tools.bad("format", code=code, write=True)
 
 
-async def test_answers_name_parameters(tools):
+async def test_answers_name_parameters_of_tools(tools):
     text = await tools.good("check", code="void mainImage(out vec4 c, in vec2 p) { float x = p; c = vec4(x); }")
     assert "the parameter `unsafe_fixes` of the tool `fix`" in text and "--" not in text, text
     for text in ("(((((", "def f(x):\n    return x\n", '{"a": 1}'):
@@ -250,7 +250,7 @@ async def test_run_reports_errors(tools):
     assert "d@42" in await tools.bad("run", code=PLAIN, show="nothing")
 
 
-async def test_explain(tools):
+async def test_explain_returns_the_page_of_a_rule(tools):
     assert (await tools.good("explain", name="sqrt-negative")).startswith("# sqrt-negative\n")
     assert "did you mean `sqrt-negative`" in await tools.bad("explain", name="sqrt-negatve")
     assert "sqrt-negative" in await tools.good("explain")
@@ -320,12 +320,12 @@ def test_a_cancelled_call_ends_its_process(shaderlint, tmp_path):
         assert not answer["result"]["isError"], answer
 
 
-def test_a_client_that_exits_immediately(shaderlint):
+def test_the_server_exits_with_a_client_that_exits_immediately(shaderlint):
     done = subprocess.run([shaderlint, "mcp"], stdin=subprocess.DEVNULL, capture_output=True)
     assert (done.returncode, done.stdout) == (0, b""), done
 
 
-def test_a_client_that_exits_during_a_call(shaderlint, tmp_path):
+def test_the_server_exits_with_a_client_that_exits_during_a_call(shaderlint, tmp_path):
     with raw(shaderlint, tmp_path) as server, running(server, tmp_path):
         server.stdin.close()
         server.wait()

@@ -306,7 +306,7 @@ export const debugTests = [
   { name: 'the debugger shows structs, colours, watches and the quad', run: values },
   { name: 'the debugger counts what breakpoints hit, and stops at them', run: breakpoints },
   { name: 'the debugger shows a value over the screen', run: images },
-  { name: 'the debugger goes on after edits', run: editing },
+  { name: 'the debugger continues after edits', run: editing },
   { name: 'the debugger steps through passes', run: passes },
   { name: 'links open the debugger at a pixel', run: links },
   { name: 'the debugger fits wide and narrow windows, light and dark', run: looks },

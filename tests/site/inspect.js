@@ -213,7 +213,7 @@ async function looks(browser, address) {
 
 export const inspectTests = [
   { name: 'the playground traces a pixel', run: tracing },
-  { name: 'the playground goes through the steps of a pixel', run: stepping },
+  { name: 'the playground steps through a pixel', run: stepping },
   { name: 'the playground shows where a NaN comes from, and traces edits', run: origins },
   { name: 'the playground traces pixels through passes', run: passes },
   { name: 'the playground draws heat maps and values of variables', run: views },

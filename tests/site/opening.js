@@ -286,7 +286,7 @@ export const openingTests = [
   { name: 'the playground opens shaders at addresses', run: addresses },
   { name: 'the playground loads nothing else from elsewhere', run: policy },
   { name: 'the playground has the examples of all rules', run: examples },
-  { name: 'the playground shares its theme with the site', run: themes },
+  { name: 'the playground shares its theme with the documentation', run: themes },
   { name: 'the playground opens without a network', run: offline },
   { name: 'a new playground replaces the stored one', run: deploying },
   { name: 'the playground needs no service worker and no storage', run: unsupported },

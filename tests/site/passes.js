@@ -203,10 +203,10 @@ async function keyboard(browser, address) {
 }
 
 export const passTests = [
-  { name: 'passes of the playground know the names of Common', run: common },
+  { name: 'passes of the playground see the names of Common', run: common },
   { name: 'passes of the playground are drawn, and channels read them', run: buffers },
   { name: 'passes of the playground are in links', run: links },
   { name: 'passes of the playground are renamed together', run: renaming },
-  { name: 'passes of the playground need no mouse', run: keyboard },
-  { name: 'the image of the playground is never that of the shader before', run: replacing },
+  { name: 'passes of the playground work without a mouse', run: keyboard },
+  { name: 'the playground never shows the image of the previous shader', run: replacing },
 ];

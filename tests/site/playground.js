@@ -221,10 +221,10 @@ export const playgroundTests = [
   { name: 'the playground applies fixes', run: fixing },
   { name: 'the playground formats', run: formatting },
   { name: 'the playground explains names under the pointer', run: hovering },
-  { name: 'links of the playground contain the shader', run: linking },
+  { name: 'links to the playground contain the shader', run: linking },
   { name: 'the playground shows texts of shaders as text', run: escaping },
   { name: 'the playground has examples', run: examples },
-  { name: 'the playground draws the shader in a frame of its own', run: drawing },
-  { name: 'the playground asks before it draws what takes long', run: asking },
+  { name: 'the playground draws the shader in its own frame', run: drawing },
+  { name: 'the playground asks before it draws slow shaders', run: asking },
   { name: 'the playground fits wide and narrow windows, light and dark', run: looks },
 ];

@@ -1,6 +1,6 @@
 //! `--write-baseline` and `--baseline`.
 
-use super::scratch::{BROKEN, Scratch, WARNED};
+use crate::scratch::{BROKEN, Scratch, WARNED};
 
 #[test]
 fn baselines_hide_known_findings_only() {

@@ -1,6 +1,6 @@
 //! `.shaderlint_cache`: findings of unchanged files are kept, and of nothing else.
 
-use super::scratch::{Scratch, WARNED};
+use crate::scratch::{Scratch, WARNED};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Stdio;

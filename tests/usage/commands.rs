@@ -1,6 +1,6 @@
 //! `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
 
-use super::scratch::{BROKEN, Scratch, after_fix};
+use crate::scratch::{BROKEN, Scratch, after_fix};
 use shaderlint::lint::ALIASES;
 use shaderlint::rules::RULES;
 use std::io::{BufRead, BufReader, Read};
@@ -80,7 +80,7 @@ fn every_rule_is_listed_and_explained() {
 
 #[test]
 fn check_help_and_init_are_commands() {
-    let scratch = Scratch::new(&[("a.glsl", super::scratch::WARNED)]);
+    let scratch = Scratch::new(&[("a.glsl", crate::scratch::WARNED)]);
     let plain = scratch.run(&["--info", "--no-run", "a.glsl"]);
     assert_eq!(
         scratch.run(&["check", "--info", "--no-run", "a.glsl"]).out,

@@ -1,7 +1,7 @@
 //! `shaderlint.toml`.
 
 use super::super::recorded::accepts;
-use super::scratch::{CLEAN, Scratch, WARNED, root};
+use crate::scratch::{CLEAN, Scratch, WARNED, root};
 use serde_json::Value;
 use std::fs;
 

@@ -1,6 +1,6 @@
 //! `--fix`, `--unsafe-fixes` and `--diff`.
 
-use super::scratch::{BROKEN, CLEAN, Scratch, WARNED, after_fix};
+use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED, after_fix};
 use std::fs;
 
 #[test]

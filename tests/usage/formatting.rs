@@ -1,6 +1,6 @@
 //! `fmt`: written, printed and rejected files, and the source of the style.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 const UGLY: &str = "void main(){gl_FragColor=vec4( 1.0 ) ;\n}\n";
 const PRETTY: &str = "void main() {\n    gl_FragColor = vec4(1.0);\n}\n";

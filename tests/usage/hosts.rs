@@ -1,6 +1,6 @@
 //! Hosts of shaders: both programs use the same table and report the same.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 use insta_cmd::get_cargo_bin;
 use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
@@ -127,7 +127,7 @@ void main() {
 
 /// The head of a text declares its names: an unknown name is an error.
 #[test]
-fn names_declared_in_the_header_are_known() {
+fn undeclared_names_beside_those_of_the_header_are_errors() {
     let wrong = ISF.replace("old), amount)", "old), amuont)");
     let versioned = ISF.replace("}*/", "}*/\n#version 120");
     let scratch = Scratch::new(&[("a.fs", ISF), ("b.fs", &wrong), ("c.fs", &versioned)]);
@@ -174,7 +174,7 @@ fn host_directives_are_applied() {
 
 /// A shader in Markdown or a script is read like one in its own file.
 #[test]
-fn hosts_of_shaders_inside_other_files_are_known() {
+fn hosts_of_embedded_shaders_are_recognised() {
     let bonzomatic = "#version 410 core\nuniform float fGlobalTime;\nuniform vec2 v2Resolution;\n\
         uniform sampler1D texFFT;\nout vec4 o;\nvoid main(void) {\n    \
         o = vec4(v2Resolution, sin(fGlobalTime), 1) + texture(texFFT, 0.1);\n}\n";

@@ -1,6 +1,6 @@
 //! Included files, and ShaderToy passes in separate files.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 /// A file with a function.
 const F: &str = "vec2 f() { return vec2(1.0); }\n";

@@ -1,7 +1,7 @@
 //! Files of every kind found in repositories: anything but GLSL ES stays unchanged, byte for byte,
 //! and GLSL ES inside other files is fixed.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 use std::collections::BTreeMap;
 use std::fs;
 

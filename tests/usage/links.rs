@@ -1,7 +1,7 @@
 //! Vertex and fragment shaders that belong together: which are linked, where errors are reported,
 //! and what is never guessed.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 const VERTEX: &str = "\
 #version 300 es

@@ -1,6 +1,6 @@
 //! Rays that step over a surface: what `run` counts, and what the linter reports and fixes.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 const CAMERA: &str = "
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {

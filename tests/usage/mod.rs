@@ -18,7 +18,6 @@ mod readme;
 mod run;
 mod sampling;
 mod saying;
-mod scratch;
 mod suppressions;
 mod test_files;
 mod testing;

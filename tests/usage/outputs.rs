@@ -1,7 +1,7 @@
 //! Every machine-readable format, read by a parser. The required content of each format is written
 //! down here from its specification.
 
-use super::scratch::{BROKEN, CLEAN, Scratch, WARNED};
+use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED};
 use serde_json::Value;
 use std::collections::BTreeSet;
 

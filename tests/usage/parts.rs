@@ -1,6 +1,6 @@
 //! Shader fragments: errors that no host can fix, and what a host adds.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 /// The errors in one file.
 #[track_caller]

@@ -8,7 +8,7 @@
 //! are fixtures.
 
 use super::super::recorded::stale;
-use super::scratch::{BROKEN, root};
+use crate::scratch::{BROKEN, Scratch, root};
 use insta_cmd::get_cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -104,13 +104,13 @@ fn texts() -> Vec<(String, String)> {
 
 /// A copy of the files that commands read, and an empty home.
 struct Place {
-    folder: tempfile::TempDir,
+    folder: Scratch,
 }
 
 impl Place {
     fn new() -> Place {
-        let folder = tempfile::tempdir().unwrap();
-        let work = folder.path().join("work");
+        let folder = Scratch::new(&[]);
+        let work = folder.path("work");
         copy(&root().join("corpus"), &work.join("corpus"));
         for (name, fixture) in READERS {
             let to = work.join(name);
@@ -123,7 +123,7 @@ impl Place {
         fs::write(work.join("export.json"), EXPORT).unwrap();
         fs::write(work.join("old.glsl"), OLD).unwrap();
         fs::write(work.join("broken.frag"), BROKEN).unwrap();
-        fs::create_dir(folder.path().join("home")).unwrap();
+        fs::create_dir(folder.path("home")).unwrap();
         Place { folder }
     }
 
@@ -135,8 +135,8 @@ impl Place {
         let mut command = Command::new("bash");
         command
             .args(["-c", line])
-            .current_dir(self.folder.path().join("work"))
-            .env("HOME", self.folder.path().join("home"))
+            .current_dir(self.folder.path("work"))
+            .env("HOME", self.folder.path("home"))
             .env("PATH", path);
         command
     }

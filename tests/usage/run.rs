@@ -1,6 +1,6 @@
 //! `run`: images, messages and rejected inputs.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 /// Red increases to the right, green upwards; blue depends on a uniform.
 const RAMP: &str = "#version 300 es
@@ -426,7 +426,7 @@ fn images_are_drawn_in_the_terminal() {
 #[test]
 fn the_readme_images_are_up_to_date() {
     let scratch = Scratch::new(&[]);
-    let templates = super::scratch::root().join("corpus/templates");
+    let templates = crate::scratch::root().join("corpus/templates");
     let shader = templates.join("voxel.glsl");
     let args = [
         "run",

@@ -1,6 +1,6 @@
 //! Findings from sampling, and how much is sampled.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 /// An image that is almost black everywhere.
 const BLACK: &str = "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n    \

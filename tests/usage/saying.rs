@@ -1,6 +1,6 @@
 //! Messages of a run besides its findings: summaries, `-v` and `-q`, exit codes, and output limits.
 
-use super::scratch::{BROKEN, CLEAN, Scratch, WARNED};
+use crate::scratch::{BROKEN, CLEAN, Scratch, WARNED};
 use serde_json::Value;
 
 #[test]
@@ -273,7 +273,7 @@ fn rules_and_errors_are_listed_as_json() {
                 "{entry}"
             );
         }
-        let page = super::scratch::root().join(entry["page"].as_str().unwrap());
+        let page = crate::scratch::root().join(entry["page"].as_str().unwrap());
         assert!(page.is_file(), "{entry}");
     }
     let budget = all.iter().find(|e| e["name"] == "step-budget").unwrap();

@@ -1,6 +1,6 @@
 //! `// shaderlint: allow(rule) reason`.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 /// The findings in the body of a shader.
 fn found(body: &str) -> Vec<String> {

@@ -1,35 +1,14 @@
 //! `shaderlint test` with files that it writes and watches.
 
-use insta_cmd::get_cargo_bin;
+use crate::scratch::Scratch;
 use std::fs;
 use std::io::{BufRead, BufReader};
-use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use tempfile::TempDir;
-
-/// A folder with these files.
-fn folder(files: &[(&str, &str)]) -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        let path = folder.path().join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    }
-    folder
-}
-
-fn command(folder: &Path, args: &[&str]) -> Command {
-    let mut command = Command::new(get_cargo_bin("shaderlint"));
-    command.current_dir(folder).args(args).env("NO_COLOR", "1");
-    command
-}
+use std::process::{Child, Stdio};
 
 /// The exit code and the text on standard output.
-fn test(folder: &Path, args: &[&str]) -> (i32, String) {
-    let args: Vec<&str> = ["test"].iter().chain(args).copied().collect();
-    let output = command(folder, &args).output().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    (output.status.code().unwrap(), text)
+fn test(folder: &Scratch, args: &[&str]) -> (i32, String) {
+    let ran = folder.run(&[&["test"], args].concat());
+    (ran.code, ran.out)
 }
 
 /// Asserts that a text contains each of these.
@@ -57,11 +36,10 @@ float unused(float x) {
 #[test]
 fn coverage_counts_lines_and_branches() {
     let tests = "// each: 1, 2, 1.1\nbool test_steps(float x) { return steps(x) <= 4.0; }\n";
-    let folder = folder(&[("steps.glsl", STEPS), ("steps.test.glsl", tests)]);
-    let at = folder.path();
-    let (code, _) = test(at, &[".", "--coverage", "out.info"]);
+    let folder = Scratch::new(&[("steps.glsl", STEPS), ("steps.test.glsl", tests)]);
+    let (code, _) = test(&folder, &[".", "--coverage", "out.info"]);
     assert_eq!(code, 0);
-    let info = fs::read_to_string(at.join("out.info")).unwrap();
+    let info = fs::read_to_string(folder.path("out.info")).unwrap();
     contains(
         &info,
         &[
@@ -84,10 +62,10 @@ fn coverage_counts_lines_and_branches() {
     );
     assert!(!info.contains("steps.test.glsl"), "{info}");
     test(
-        at,
+        &folder,
         &[".", "--coverage", "out.txt", "--coverage-format", "json"],
     );
-    let json = fs::read_to_string(at.join("out.txt")).unwrap();
+    let json = fs::read_to_string(folder.path("out.txt")).unwrap();
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["files"][0]["summary"]["branches"]["covered"], 3);
 }
@@ -96,12 +74,11 @@ fn coverage_counts_lines_and_branches() {
 fn benchmarks_count_operations() {
     let tests = "// any: x in 0..9\nfloat bench_steps(float x) { return steps(x); }\n\
         bool test_zero() { return steps(0.0) == 0.0; }\n";
-    let folder = folder(&[("steps.glsl", STEPS), ("steps.test.glsl", tests)]);
-    let at = folder.path();
-    let (code, text) = test(at, &[".", "--bench"]);
+    let folder = Scratch::new(&[("steps.glsl", STEPS), ("steps.test.glsl", tests)]);
+    let (code, text) = test(&folder, &[".", "--bench"]);
     assert_eq!(code, 0, "{text}");
     contains(&text, &["bench_steps ... ok, ", " operations\n"]);
-    let (code, text) = test(at, &["."]);
+    let (code, text) = test(&folder, &["."]);
     assert_eq!(code, 0);
     assert!(!text.contains("bench_steps"), "{text}");
 }
@@ -122,7 +99,7 @@ fn textures_and_buffers_are_bound_by_name() {
         void mainImage(out vec4 c, in vec2 p) { c = vec4(level(p)); }\n";
     let level = "// texture: iChannel0 = buffer-a at frame 2\n\n\
         bool test_level() { return level(gl_FragCoord.xy) == 3.0; }\n";
-    let folder = folder(&[
+    let folder = Scratch::new(&[
         ("gradient.glsl", gradient),
         ("look.glsl", looks),
         ("look.test.glsl", tests),
@@ -134,8 +111,7 @@ fn textures_and_buffers_are_bound_by_name() {
             "0 = 'buffer_a'\n[buffer_a]\n0 = 'buffer_a'\n",
         ),
     ]);
-    let at = folder.path();
-    fs::create_dir(at.join("media")).unwrap();
+    fs::create_dir(folder.path("media")).unwrap();
     let drawn = [
         "run",
         "gradient.glsl",
@@ -144,8 +120,8 @@ fn textures_and_buffers_are_bound_by_name() {
         "-o",
         "media/steps.png",
     ];
-    assert!(command(at, &drawn).output().unwrap().status.success());
-    let (code, text) = test(at, &["look.glsl", "p/image.test.glsl"]);
+    assert!(folder.command(&drawn).output().unwrap().status.success());
+    let (code, text) = test(&folder, &["look.glsl", "p/image.test.glsl"]);
     assert_eq!(code, 1, "{text}");
     contains(
         &text,
@@ -166,13 +142,13 @@ fn functions_of_vertex_shaders_are_tested() {
     let tests = "// any: p in vec2(-3)..vec2(3)\n\
         bool test_turned(vec2 p) { return turned(turned(p)) == -p; }\n\
         bool test_main() { main(); return gl_Position == vec4(0, 0, 0, 1); }\n";
-    let folder = folder(&[
+    let folder = Scratch::new(&[
         ("a.vert", vertex),
         ("a.test.vert", tests),
         ("b.vert", vertex),
         ("b.test.glsl", tests),
     ]);
-    let (code, text) = test(folder.path(), &[]);
+    let (code, text) = test(&folder, &[]);
     assert_eq!(code, 0, "{text}");
     contains(
         &text,
@@ -188,10 +164,10 @@ fn functions_of_vertex_shaders_are_tested() {
 fn cases_and_seeds_are_reproducible() {
     let tests = "// any: x in 0..1; y in 0..1\n\
         bool test_sum(float x, float y) { return x + y < 1.75 || x == 1.0 || y == 1.0; }\n";
-    let folder = folder(&[("sum.test.glsl", tests)]);
+    let folder = Scratch::new(&[("sum.test.glsl", tests)]);
     let with = |args: &[&str]| {
         let args: Vec<&str> = ["."].iter().chain(args).copied().collect();
-        test(folder.path(), &args)
+        test(&folder, &args)
     };
     assert_eq!(with(&[]), with(&["--seed", "0", "--cases", "1000"]));
     assert_ne!(with(&[]), with(&["--seed", "1"]));
@@ -199,11 +175,11 @@ fn cases_and_seeds_are_reproducible() {
 }
 
 #[test]
-fn approx_is_only_known_to_tests() {
+fn only_tests_can_call_approx() {
     let tests = "bool test_one() { return approx(1.0, 1.0); }\n";
     let shader = "void mainImage(out vec4 c, in vec2 p) { c = vec4(approx(1.0, p.x)); }\n";
-    let folder = folder(&[("one.test.glsl", tests), ("shader.glsl", shader)]);
-    let lint = |name: &str| command(folder.path(), &[name]).output().unwrap();
+    let folder = Scratch::new(&[("one.test.glsl", tests), ("shader.glsl", shader)]);
+    let lint = |name: &str| folder.command(&[name]).output().unwrap();
     assert_eq!(lint("one.test.glsl").status.code(), Some(0));
     let output = lint("shader.glsl");
     assert_eq!(output.status.code(), Some(1));
@@ -226,12 +202,13 @@ fn changed_files_run_the_tests_that_include_them() {
     let lib = "float one() { return 1.0; }\n";
     let uses = "#include \"lib.glsl\"\nbool test_one() { return one() == 1.0; }\n";
     let other = "bool test_other() { return true; }\n";
-    let folder = folder(&[
+    let folder = Scratch::new(&[
         ("lib.glsl", lib),
         ("uses.test.glsl", uses),
         ("other.test.glsl", other),
     ]);
-    let watched = command(folder.path(), &["test", "--watch"])
+    let watched = folder
+        .command(&["test", "--watch"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn();
@@ -253,7 +230,7 @@ fn changed_files_run_the_tests_that_include_them() {
     );
     let mut errors = BufReader::new(watched.0.stderr.take().unwrap()).lines();
     assert_eq!(errors.next().unwrap().unwrap(), "waiting for changes");
-    fs::write(folder.path().join("lib.glsl"), lib.replace("1.0", "1.25")).unwrap();
+    fs::write(folder.path("lib.glsl"), lib.replace("1.0", "1.25")).unwrap();
     let second = until("1 passed, 1 failed");
     contains(&second, &["uses.test.glsl: test_one ... FAILED"]);
     assert!(!second.contains("test_other"), "{second}");

@@ -1,7 +1,7 @@
 //! `test`: which tests are found and run, messages of failed tests, comparison with golden images
 //! and when one is written.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 use serde_json::Value;
 use std::fs;
 

@@ -1,6 +1,6 @@
 //! Undeclared names, depending on what may complete the text that uses them.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 /// The output for a file that is checked with others, without its name and the advice.
 #[track_caller]

@@ -1,6 +1,6 @@
 //! `target-version`: shaders in GLSL ES 1.00 are converted, both stages or none.
 
-use super::scratch::Scratch;
+use crate::scratch::Scratch;
 
 const TARGET: &str = "target-version = \"300 es\"\n";
 const VERTEX: &str = "attribute vec3 at;\nvarying vec2 uv;\n\

@@ -1,244 +1,32 @@
-//! Finds the `shaderlint.toml` that applies to a file.
+//! The configurations of files on disk.
 
 mod editor;
-mod last_good;
-mod load;
-mod project;
 
-use crate::engine::config::{Config, Selection, options, style};
-use crate::engine::{FileCache, Options};
+use super::disk::Disk;
+use crate::engine::config::{ConfigArgs, Configs, ProjectLimit};
 use crate::format::StyleChoice;
 use crate::host::{Preset, host_named, kept, read as read_host};
-use crate::lint::{Settings, UnknownRule};
-use crate::rules::RULES;
-pub use last_good::LastGood;
-use load::load;
-pub use project::{FILE, absolute};
-use project::{ProjectFinder, ProjectFolders};
-use std::collections::HashMap;
+use crate::text::path::plain;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
-/// The command-line options that concern configuration files.
-#[derive(Clone, Debug)]
-pub struct ConfigArgs {
-    /// Overrides every configuration.
-    pub given: Selection,
-    /// `--config` and `--no-config`
-    pub source: ConfigSource,
-    /// `--force-exclude`
-    pub exclusion: Exclusion,
-    /// The paths on the command line.
-    pub paths: Vec<PathBuf>,
+/// The configurations of files on disk. Reads none yet.
+pub fn configs(asked: ConfigArgs) -> Configs {
+    Configs::new(Arc::new(Disk::new()), project_limit(), asked)
 }
 
-/// Which files `exclude` applies to.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Exclusion {
-    /// Files found in folders only.
-    Found,
-    /// Files named on the command line too, which is how hooks pass them.
-    Named,
-}
-
-/// Which configuration file is used.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum ConfigSource {
-    /// The nearest one above each file.
-    Nearest,
-    /// This one for all files.
-    File(PathBuf),
-    /// None.
-    Nowhere,
-}
-
-/// Resolves the options of files; each configuration is read once.
-pub struct Configs {
-    asked: ConfigArgs,
-    /// Takes the place of configurations that are invalid, if set.
-    last_good: Option<Arc<LastGood>>,
-    finder: ProjectFinder,
-    cache: Mutex<Cache>,
-    /// Files that were read for other files, such as includes.
-    file_cache: Arc<FileCache>,
-}
-
-type FoundConfig = Result<Option<Arc<Config>>, Arc<str>>;
-
-#[derive(Default)]
-struct Cache {
-    /// The nearest configuration of each folder.
-    configs: HashMap<PathBuf, FoundConfig>,
-    /// The project of each folder.
-    projects: HashMap<PathBuf, ProjectFolders>,
-    options: HashMap<ConfigKey, Arc<Options>>,
-}
-
-/// Files with the same key have the same options: folder of the configuration, project, overrides.
-type ConfigKey = (Option<PathBuf>, ProjectFolders, Vec<usize>);
-
-impl Configs {
-    /// Whether `--host` names the host of all files.
-    pub fn names_host(&self) -> bool {
-        self.asked.given.host.is_some()
-    }
-
-    /// Reads no file yet.
-    pub fn new(asked: ConfigArgs) -> Configs {
-        Configs {
-            finder: ProjectFinder::new(&asked.paths),
-            asked,
-            last_good: None,
-            cache: Mutex::default(),
-            file_cache: Arc::default(),
-        }
-    }
-
-    /// The same, with the last valid content of configurations that are invalid.
-    pub fn with_last_good(self, last_good: Arc<LastGood>) -> Configs {
-        Configs {
-            last_good: Some(last_good),
-            ..self
-        }
-    }
-
-    fn load(&self, file: &Path) -> FoundConfig {
-        let loaded = match &self.last_good {
-            Some(kept) => kept.load(file),
-            None => load(file),
-        };
-        loaded
-            .map(Some)
-            .map_err(|problem| problem.to_string().into())
-    }
-
-    /// The configuration that applies to a file.
-    pub fn config(&self, path: &Path) -> FoundConfig {
-        match &self.asked.source {
-            ConfigSource::Nowhere => Ok(None),
-            ConfigSource::File(file) => self.cached(file, || self.load(file)),
-            ConfigSource::Nearest => {
-                let path = absolute(path);
-                let folder = path.parent().unwrap_or(Path::new("/"));
-                self.nearest(folder)
-            }
-        }
-    }
-
-    /// Whether a file on the command line is excluded.
-    pub fn leaves_out(&self, path: &Path) -> bool {
-        let config = match self.asked.exclusion {
-            Exclusion::Found => None,
-            Exclusion::Named => self.config(path).ok().flatten(),
-        };
-        config.is_some_and(|c| c.leaves_out(&absolute(path)))
-    }
-
-    /// The configuration file that applies to a file.
-    pub fn file_of(&self, path: &Path) -> Option<PathBuf> {
-        match &self.asked.source {
-            ConfigSource::File(file) => Some(file.clone()),
-            _ => Some(self.config(path).ok()??.root.join(FILE)),
-        }
-    }
-
-    fn cached(&self, key: &Path, find: impl FnOnce() -> FoundConfig) -> FoundConfig {
-        let known = self.lock().configs.get(key).cloned();
-        known.unwrap_or_else(|| {
-            let found = find();
-            self.lock().configs.insert(key.to_path_buf(), found.clone());
-            found
-        })
-    }
-
-    fn nearest(&self, folder: &Path) -> FoundConfig {
-        self.cached(folder, || {
-            let file = folder.join(FILE);
-            if file.is_file() {
-                return self.load(&file);
-            }
-            folder
-                .parent()
-                .map_or(Ok(None), |above| self.nearest(above))
-        })
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, Cache> {
-        self.cache
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner())
-    }
-
-    /// An error in the command-line options or in the file that `--config` names.
-    pub fn problem(&self) -> Option<Arc<str>> {
-        let words = self.asked.given.adjust(&mut Settings::of_rules(RULES));
-        let named = match &self.asked.source {
-            ConfigSource::File(_) => self.config(Path::new("")).err(),
-            ConfigSource::Nearest | ConfigSource::Nowhere => None,
-        };
-        words.map_err(unknown).err().or(named)
-    }
-
-    /// The options for checking a file. Standard input counts as the file that `--stdin-filename`
-    /// names.
-    pub fn options(&self, path: &Path) -> Result<Arc<Options>, Arc<str>> {
-        let config = self.config(path)?;
-        let layers = config.as_ref().map(|c| c.layers(&absolute(path)));
-        let layers = layers.unwrap_or_default();
-        let root = config.as_ref().map(|c| c.root.clone());
-        let key = (root, self.project(path), layers);
-        if let Some(options) = self.lock().options.get(&key) {
-            return Ok(options.clone());
-        }
-        let (_, project, layers) = &key;
-        let mut options = options(config.as_deref(), layers, &self.asked.given).map_err(unknown)?;
-        options.includes.tops.clone_from(&project.tops);
-        options.includes.root = project.root.canonicalize().unwrap_or_default();
-        options.file_cache = self.file_cache.clone();
-        let options = Arc::new(options);
-        self.lock().options.insert(key, options.clone());
-        Ok(options)
-    }
-
-    /// The formatting style of a file: from its configuration, and otherwise from `.editorconfig`.
-    pub fn style(&self, path: &Path) -> Result<StyleChoice, Arc<str>> {
-        self.style_or(path, StyleChoice::default())
-    }
-
-    /// The same, with `last` for what neither file sets.
-    pub fn style_or(&self, path: &Path, last: StyleChoice) -> Result<StyleChoice, Arc<str>> {
-        let config = self.config(path)?;
-        let path = absolute(path);
-        let others = editor::choice(&path).or(last);
-        let chosen = config.map(|c| style(&c, &c.layers(&path), others));
-        Ok(chosen.unwrap_or(others))
-    }
-
-    /// The outermost folder of the project that contains a file; `None` if nothing marks one.
-    pub fn project_root(&self, path: &Path) -> Option<PathBuf> {
-        self.finder.found(absolute(path).parent()?).pop()
-    }
-
-    /// The project that contains a file.
-    fn project(&self, path: &Path) -> ProjectFolders {
-        let path = absolute(path);
-        let folder = path.parent().unwrap_or(Path::new("/"));
-        if let Some(known) = self.lock().projects.get(folder) {
-            return known.clone();
-        }
-        let project = self.finder.around(folder);
-        let mut cache = self.lock();
-        cache.projects.insert(folder.to_path_buf(), project.clone());
-        project
+/// What limits the files of a project on disk.
+pub fn project_limit() -> ProjectLimit {
+    ProjectLimit::Folder {
+        home: std::env::var_os("HOME").map(PathBuf::from),
     }
 }
 
-fn unknown(unknown: UnknownRule) -> Arc<str> {
-    let near = unknown
-        .near
-        .map_or(String::new(), |n| format!("; did you mean `{n}`?"));
-    format!("unknown rule or group `{}`{near}", unknown.name).into()
+/// The formatting style of a file: from its configuration, otherwise from `.editorconfig`, and
+/// otherwise `last`.
+pub fn style(configs: &Configs, path: &Path, last: StyleChoice) -> Result<StyleChoice, Arc<str>> {
+    configs.style(path, editor::choice(&absolute(path)).or(last))
 }
 
 /// The host that a user names: a built-in one, or a GLSL file that describes one.
@@ -256,9 +44,7 @@ pub fn host_of(name: &str) -> Result<&'static Preset, String> {
 
 /// The outermost folder of the project that contains a file; `None` if nothing marks one.
 pub fn project_root(path: &Path) -> Option<PathBuf> {
-    ProjectFinder::new(&[])
-        .found(absolute(path).parent()?)
-        .pop()
+    configs(ConfigArgs::default()).project_root(path)
 }
 
 /// The host set in the configuration of a file.
@@ -266,12 +52,12 @@ pub fn project_root(path: &Path) -> Option<PathBuf> {
 /// # Errors
 /// A message if the configuration is invalid.
 pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
-    let configs = Configs::new(ConfigArgs {
-        given: Selection::default(),
-        source: ConfigSource::Nearest,
-        exclusion: Exclusion::Found,
-        paths: Vec::new(),
-    });
-    let options = configs.options(path).map_err(|e| e.to_string())?;
-    Ok(options.host.preset)
+    let options = configs(ConfigArgs::default()).options(path);
+    Ok(options.map_err(|e| e.to_string())?.host.preset)
+}
+
+/// An absolute path without `..`, resolved lexically.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    plain(&path)
 }

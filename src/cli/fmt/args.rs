@@ -1,7 +1,6 @@
 //! The arguments of `shaderlint fmt`.
 
-use super::super::config::{ConfigArgs, ConfigSource, Exclusion};
-use crate::engine::config::Selection;
+use crate::engine::config::{ConfigArgs, ConfigSource, Exclusion, Selection};
 use clap::Parser;
 use std::path::PathBuf;
 

@@ -5,19 +5,21 @@ mod args;
 pub use args::FormatArgs;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
-use super::config::Configs;
+use super::config::{configs, style};
 use super::input::{InputFile, collect, read};
 use super::output::{diff, replace};
 use super::parallel::in_order;
 use crate::diagnostic::count;
+use crate::engine::config::Configs;
 use crate::engine::{Formatting, format};
+use crate::format::StyleChoice;
 use crate::text::{Encoding, LineIndex, apply_edits};
 use std::io::{self, Write};
 use std::path::Path;
 
 /// Formats the paths and returns the exit code.
 pub fn run(args: &FormatArgs) -> io::Result<u8> {
-    let configs = Configs::new(args.asked());
+    let configs = configs(args.asked());
     if let Some(message) = configs.problem() {
         complain(&message);
         return Ok(FAILED);
@@ -75,7 +77,7 @@ struct FormatTally {
 
 /// Formats an input without writing it.
 fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
-    let style = match configs.style(Path::new(&input.name)) {
+    let style = match style(configs, Path::new(&input.name), StyleChoice::default()) {
         Ok(style) => style,
         Err(message) => return FormatOutcome::Failed(message.to_string()),
     };

@@ -1,10 +1,9 @@
 //! The arguments of `shaderlint`.
 
 use super::super::color::ColorChoice;
-use super::super::config::{ConfigArgs, ConfigSource, Exclusion};
 use crate::cli::config::host_of;
 use crate::engine::DialectChoice;
-use crate::engine::config::Selection;
+use crate::engine::config::{ConfigArgs, ConfigSource, Exclusion, Selection};
 use crate::host::Preset;
 use crate::lint::Infos;
 use crate::report::Format;

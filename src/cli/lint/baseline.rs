@@ -2,12 +2,13 @@
 //! than by line. Paths are relative to the folder of the baseline, not to the current folder.
 
 use super::super::command::{CLEAN, FAILED, complain};
-use super::super::config::{Configs, absolute};
+use super::super::config::absolute;
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
 use super::args::{CheckArgs, Talk};
 use super::inputs::{CheckMode, Outcome, check_all};
 use crate::diagnostic::{Diagnostic, count};
+use crate::engine::config::Configs;
 use crate::report::fingerprints;
 use crate::text::Sources;
 use crate::text::path::slashed;

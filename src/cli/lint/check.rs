@@ -1,7 +1,7 @@
 //! Checks all inputs in parallel and prints their findings in order.
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::super::config::Configs;
+use super::super::config::configs;
 use super::super::input::{InputFile, collect};
 use super::args::{CheckArgs, Talk};
 use super::baseline::{self, Baseline};
@@ -12,6 +12,7 @@ use super::verbose;
 use crate::commands::{self, CheckedText, FindingKey, rule_page};
 use crate::diagnostic::Diagnostic;
 use crate::engine::Offer;
+use crate::engine::config::Configs;
 use crate::lint::Proof;
 use crate::report::{Format, Reporter, Summary};
 use crate::text::path::slashed;
@@ -28,7 +29,7 @@ pub fn check(args: &CheckArgs) -> io::Result<u8> {
             complain(message);
         }
     };
-    let configs = Configs::new(args.asked());
+    let configs = configs(args.asked());
     if let Some(message) = configs.problem() {
         print_message(&message);
         return Ok(FAILED);

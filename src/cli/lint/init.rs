@@ -1,7 +1,7 @@
 //! `init`: writes a configuration to start from.
 
 use super::super::command::{CLEAN, FAILED, complain};
-use super::super::config::FILE;
+use crate::engine::config::FILE;
 use std::fs::OpenOptions;
 use std::io::{self, Write};
 

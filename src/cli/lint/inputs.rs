@@ -1,6 +1,5 @@
 //! Checks inputs in parallel.
 
-use super::super::config::Configs;
 use super::super::disk::Disk;
 use super::super::input::{InputFile, read};
 use super::super::parallel::in_order;
@@ -8,6 +7,7 @@ use super::cache::{Entry, FindingCache, Key, Recorder};
 use super::fix::{AppliedFixes, FixMode, FixOutcome};
 use crate::commands::{self, CheckedText, Recognition};
 use crate::detect::kind::is_searched;
+use crate::engine::config::Configs;
 use crate::engine::{Files, Options, Unread};
 use crate::text::Content;
 use std::collections::BTreeSet;

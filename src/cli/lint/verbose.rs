@@ -1,11 +1,11 @@
 //! `-v`: how each file was interpreted, with which configuration, and what was skipped.
 
 use super::super::command::complain;
-use super::super::config::Configs;
 use super::super::input::{InputFile, PassedOver};
 use crate::commands::{Recognition, reading};
 use crate::diagnostic::count;
 use crate::engine::Report;
+use crate::engine::config::Configs;
 use crate::lint::Proof;
 use std::path::Path;
 

@@ -1,11 +1,12 @@
 //! `--watch`: checks again whenever a file changes, until it is stopped.
 
 use super::super::command::{FAILED, complain};
-use super::super::config::{Configs, FILE};
+use super::super::config::configs;
 use super::super::input::{InputFile, collect};
 use super::super::watch::{Stamp, wait};
 use super::args::CheckArgs;
 use super::check::check;
+use crate::engine::config::FILE;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -41,7 +42,7 @@ pub fn run(args: &CheckArgs) -> io::Result<u8> {
 }
 
 fn take_stamp(args: &CheckArgs) -> Stamp {
-    let configs = Configs::new(args.asked());
+    let configs = configs(args.asked());
     let inputs = collect(&args.paths(), args.stdin_filename.as_deref(), &configs).inputs;
     let files = inputs.iter().filter_map(|i| i.path.clone());
     let config_of = |i: &InputFile| configs.file_of(Path::new(&i.name));

@@ -1,7 +1,7 @@
 //! `shaderlint references`: where the project of a file uses a name, as the language server answers it.
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::super::config::{LastGood, absolute};
+use super::super::config::absolute;
 use super::super::port::read_text;
 use super::pages::PageFiles;
 use super::workspace::DiskWorkspace;
@@ -69,11 +69,7 @@ fn uri(args: &ReferencesArgs) -> Uri {
 fn opened(uri: &Uri, text: &str) -> Session {
     let workspace = |folders: &[PathBuf]| {
         let pages = Arc::new(PageFiles::default());
-        Arc::new(DiskWorkspace::new(
-            folders,
-            pages,
-            Arc::new(LastGood::default()),
-        )) as _
+        Arc::new(DiskWorkspace::new(folders, pages)) as _
     };
     let mut session = Session::new(&json!({}), workspace);
     let document = json!({ "uri": uri, "languageId": "", "version": 0, "text": text });

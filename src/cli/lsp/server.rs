@@ -93,7 +93,7 @@ impl Server {
             let _ = closer.send(Event::Closed);
         });
         let session = Session::new(params, |folders| {
-            Arc::new(DiskWorkspace::new(folders, pages, Arc::default()))
+            Arc::new(DiskWorkspace::new(folders, pages))
         });
         Ok(Server {
             connection,

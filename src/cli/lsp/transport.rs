@@ -1,6 +1,6 @@
 //! Messages over standard input and output.
 //!
-//! Input that is no message is answered with an error, as JSON-RPC 2.0 section 5.1 requires. After a
+//! Invalid messages are answered with an error, as JSON-RPC 2.0 section 5.1 requires. After a
 //! header that cannot be read, the start of the next message is unknown, and the connection ends.
 
 use super::super::framing::{read_body, write_body};

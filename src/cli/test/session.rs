@@ -1,7 +1,7 @@
 //! A run over all files, which may continue an earlier one.
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::super::config::{ConfigArgs, ConfigSource, Configs, Exclusion};
+use super::super::config::configs;
 use super::super::disk::Disk;
 use super::super::input::{InputFile, collect};
 use super::super::parallel::{in_order, threads};
@@ -14,7 +14,7 @@ use super::junit::junit;
 use super::outcome::{Tally, TestRow};
 use super::shared::TestRun;
 use super::textures::Textures;
-use crate::engine::config::Selection;
+use crate::engine::config::{ConfigArgs, ConfigSource, Configs, Exclusion, Selection};
 use crate::play::Coverage;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -39,7 +39,7 @@ fn inputs(args: &TestArgs) -> Inputs {
         [] => vec![PathBuf::from(".")],
         paths => paths.to_vec(),
     };
-    let configs = Configs::new(ConfigArgs {
+    let configs = configs(ConfigArgs {
         given: Selection::default(),
         source: ConfigSource::Nearest,
         exclusion: Exclusion::Found,

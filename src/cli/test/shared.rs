@@ -1,9 +1,9 @@
 //! What all files of a run share.
 
-use super::super::config::Configs;
 use super::super::disk::Disk;
 use super::args::TestArgs;
 use super::textures::Textures;
+use crate::engine::config::Configs;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 

@@ -145,8 +145,8 @@ impl<'p> Adapter<'p> {
         messages.collect()
     }
 
-    /// After a motion that has failed: that the program stands where it stood. Some clients take it for
-    /// running otherwise, and send no further motion.
+    /// After a step that failed: the program did not move. Some clients would otherwise assume that it
+    /// runs, and send no further steps.
     fn still(&self, command: &str) -> Vec<DebugEvent> {
         let session = self.session.as_ref();
         let session = session.filter(|_| MOTIONS.contains(&command));

@@ -1,9 +1,9 @@
-//! What requests lead to, and what a client said before.
+//! The results of requests, and what a client has announced.
 
 use crate::arguments::SetBreakpoints;
 use serde_json::{Value, json};
 
-/// What a client said about itself and about breakpoints, which outlives programs.
+/// What a client announced about itself and about breakpoints; kept when the program is reloaded.
 #[derive(Default)]
 pub struct ClientState {
     /// 1 if the first line or column is 1.

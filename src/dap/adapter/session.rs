@@ -146,7 +146,7 @@ impl DebugSession {
         first.ok_or_else(|| "the shader has no statement that this pixel runs".to_string())
     }
 
-    /// Waits for what the frame depends on. Nothing that is known beyond the first stop is right before.
+    /// Waits for the passes that the frame depends on. Before that, only the first stop is correct.
     pub fn complete(&mut self) -> Result<(), String> {
         let is_new = self.debuggee.is_pending();
         self.debuggee.complete()?;

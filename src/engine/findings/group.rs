@@ -1,6 +1,6 @@
 //! Joins findings about the same mistake, so that a person reads about it once.
 
-use super::document::Report;
+use super::report::Report;
 use rustc_hash::FxHashMap;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Fix, Label, Origin, Severity, count};
 use shaderlint_text::Edit;
@@ -10,7 +10,7 @@ use shaderlint_text::Edit;
 struct SameMistake {
     rule: &'static str,
     severity: Severity,
-    /// What warnings say before their evidence, without the code that they quote: different sentences
+    /// The messages of warnings before their evidence, without the code that they quote: different sentences
     /// are about different mistakes.
     statement: Option<String>,
     /// Places with and without a fix are kept apart, so that a fix is for all places.

@@ -6,10 +6,10 @@
 //! other groups select.
 
 use super::assumption::{AssumedMacros, BranchNeeds};
+use super::stage::ShaderCheck;
 use crate::shader::shader_input::ShaderInput;
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Applicability, Certainty, Diagnostic, Severity};
-use shaderlint_explain::Checked;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::TokenId;
 use shaderlint_syntax::{RawItem, RawKind, raw_items, tokenize};
@@ -22,8 +22,12 @@ const MOST_CHECKS: usize = 8;
 const MOST_CONFIRMED: usize = 8;
 
 /// Adds the mistakes in excluded code to the findings of a shader without errors, as warnings.
-pub fn report(sources: &Arc<Sources>, part: &ShaderInput, checked: &mut Checked) {
-    if checked.open.is_torn || checked.has_errors() || checked.program.tokens.inactive.is_empty() {
+pub fn report(shader: &mut ShaderCheck) {
+    let (sources, part, checked) = (shader.sources, shader.part, &mut shader.checked);
+    if part.readings.is_shown() || checked.open.is_torn {
+        return;
+    }
+    if checked.has_errors() || checked.program.tokens.inactive.is_empty() {
         return;
     }
     let files = part.reading().map_or(&[][..], |reading| &reading.files);

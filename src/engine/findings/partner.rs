@@ -1,5 +1,6 @@
 //! Pairs vertex and fragment shaders, and reports link errors.
 
+use super::stage::FileCheck;
 use super::upgrade;
 use crate::check_context::CheckContext;
 use crate::shader::analysis::Analysis;
@@ -119,29 +120,14 @@ impl<'n> StageName<'n> {
     }
 }
 
-/// Where the stages of a program are linked.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum LinkedBy {
-    /// In the check of this file.
-    This,
-    /// In the check of the other file, in the same run.
-    Other,
-}
-
-/// Where a file is linked with its partner.
-pub(super) fn linked_by(name: &str, context: CheckContext) -> LinkedBy {
-    match counterpart(name) {
-        Some((other, Stage::Vertex)) if context.is_checked(&other) => LinkedBy::Other,
-        _ => LinkedBy::This,
-    }
+/// Whether both stages are linked in the check of the other file, in the same run.
+fn is_linked_there(name: &str, context: CheckContext) -> bool {
+    let other = counterpart(name).filter(|(_, stage)| *stage == Stage::Vertex);
+    other.is_some_and(|(other, _)| context.is_checked(&other))
 }
 
 /// Reads the other stage of a shader file, if there is one.
-pub(super) fn load(
-    input: &mut SplitInput,
-    name: &str,
-    context: CheckContext,
-) -> Option<ShaderInput> {
+pub fn load(input: &mut SplitInput, name: &str, context: CheckContext) -> Option<ShaderInput> {
     let [part] = input.parts.as_slice() else {
         return None;
     };
@@ -173,32 +159,28 @@ fn may_be_linked(part: &ShaderInput) -> bool {
     is_complete && part.may_be_program()
 }
 
-/// Links the shaders of an input, each with its partner, and reports errors.
-pub(super) fn check(
-    input: &SplitInput,
-    partner: Option<(&ShaderInput, LinkedBy)>,
-    settings: &Settings,
-    diagnostics: &mut Vec<Diagnostic>,
-) {
-    if let (Some((other, linked)), [own]) = (partner, input.parts.as_slice()) {
-        let is_linked = linked == LinkedBy::This;
-        if !diagnostics.iter().any(keeps_from_linking) {
-            let mut found = Vec::new();
-            let more = |_: &Program, _: &Program| {};
-            link_stages(&input.sources, own, other, more, &mut found);
-            diagnostics.extend(found.into_iter().filter(|_| is_linked));
+/// Links the shaders of a file, each with its partner, and reports errors.
+pub fn link_all(file: &mut FileCheck) {
+    let settings = &file.context.options.settings;
+    let report = &mut file.report;
+    let (sources, diagnostics) = (&report.sources, &mut report.diagnostics);
+    if let (Some(other), [own]) = (&file.partner, file.parts.as_slice()) {
+        let is_linked = is_linked_there(file.name, file.context);
+        if !is_linked && !diagnostics.iter().any(keeps_from_linking) {
+            link_stages(sources, own, other, |_, _| {}, diagnostics);
         }
-        keep_pair(&input.sources, own, other, settings, diagnostics);
+        keep_pair(sources, own, other, settings, diagnostics);
         return;
     }
-    let file = input.file.and_then(|id| input.sources.file(id));
-    let Some(file) = file.filter(|_| input.embedded.len() > 1) else {
+    let embedded = &report.embedded;
+    let document = report.file.and_then(|id| sources.file(id));
+    let Some(document) = document.filter(|_| embedded.len() > 1) else {
         return;
     };
-    let Some(language) = DocumentLanguage::of_extension(&file_extension(&file.path)) else {
+    let Some(language) = DocumentLanguage::of_extension(&file_extension(&document.path)) else {
         return;
     };
-    let parts = programs(input, file.base);
+    let parts = programs(sources, &file.parts, embedded, document.base);
     // A document shows fragments of several programs.
     let only = match language {
         DocumentLanguage::Markdown => return,
@@ -208,15 +190,15 @@ pub(super) fn check(
     let mut pairs: Vec<(usize, usize)> = match only {
         Some(only) => vec![only],
         None => {
-            let groups = together(language, &file.text, &input.embedded);
+            let groups = together(language, &document.text, embedded);
             let pairs = groups.iter().map(|g| pair(&parts, &mut g.iter().copied()));
             pairs.flatten().collect()
         }
     };
     pairs.sort_unstable();
     pairs.dedup();
-    let length = |i: usize| input.embedded.get(i).map_or(0, |e| e.code.len());
-    let mut budget = MAX_SHARED * file.text.len();
+    let length = |i: usize| embedded.get(i).map_or(0, |e| e.code.len());
+    let mut budget = MAX_SHARED * document.text.len();
     for (vertex, fragment) in pairs {
         let cost = length(vertex) + length(fragment);
         if cost > budget {
@@ -230,21 +212,26 @@ pub(super) fn check(
         let mut missing = Vec::new();
         let more = |vertex: &Program, fragment: &Program| {
             if only.is_some() {
-                missing = lacking(vertex, fragment, asked(language, &file.text));
+                missing = lacking(vertex, fragment, asked(language, &document.text));
             }
         };
-        link_stages(&input.sources, vertex, fragment, more, diagnostics);
-        keep_pair(&input.sources, vertex, fragment, settings, diagnostics);
+        link_stages(sources, vertex, fragment, more, diagnostics);
+        keep_pair(sources, vertex, fragment, settings, diagnostics);
         let missing = missing.into_iter();
-        diagnostics.extend(missing.filter_map(|m| report_lacking(m, file.base, settings)));
+        diagnostics.extend(missing.filter_map(|m| report_lacking(m, document.base, settings)));
     }
 }
 
 /// By embedded shader of a page: its shader, if it may be a stage of a program.
-fn programs(input: &SplitInput, base: u32) -> Vec<Option<&ShaderInput>> {
-    let by_start = input.parts.iter().flat_map(|part| {
+fn programs<'p>(
+    sources: &Sources,
+    parts: &'p [ShaderInput],
+    embedded: &[Embedded],
+    base: u32,
+) -> Vec<Option<&'p ShaderInput>> {
+    let by_start = parts.iter().flat_map(|part| {
         let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
-        let codes = files.iter().filter_map(|id| input.sources.code(*id));
+        let codes = files.iter().filter_map(|id| sources.code(*id));
         codes.map(move |code| (code.base, part))
     });
     let by_start: HashMap<u32, &ShaderInput> = by_start.collect();
@@ -252,7 +239,7 @@ fn programs(input: &SplitInput, base: u32) -> Vec<Option<&ShaderInput>> {
         let part = *by_start.get(&(base + embedded.start as u32))?;
         part.may_be_program().then_some(part)
     };
-    input.embedded.iter().map(of).collect()
+    embedded.iter().map(of).collect()
 }
 
 /// The vertex and the fragment shader, if there is one of each.

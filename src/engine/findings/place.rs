@@ -1,6 +1,6 @@
 //! Maps positions in shaders to positions in the file that contains them, and back.
 
-use super::document::Report;
+use super::report::Report;
 use crate::shader::analysis::Analysis;
 use shaderlint_text::{Edit, Span};
 

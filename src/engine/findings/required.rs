@@ -1,9 +1,9 @@
 //! The `#version` that the host of a complete shader requires, where it accepts it, and what the host
 //! of a shader does not accept.
 
+use super::stage::ShaderCheck;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
-use shaderlint_explain::Checked;
 use shaderlint_host::{Preset, RequiredVersion, presets};
 use shaderlint_port::limits;
 use shaderlint_semantic::{Completeness, Program, Stage, Storage, Variable};
@@ -12,7 +12,8 @@ use shaderlint_text::{Role, Sources, Span};
 
 /// Adds a finding about a version that the current releases of the host do not accept, and drops
 /// those about a position of `#version` that they do.
-pub fn apply(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
+pub fn apply_version(shader: &mut ShaderCheck) {
+    let (sources, part, checked) = (shader.sources, shader.part, &mut shader.checked);
     let is_own = part.host.is_none() && part.readings.hosts.is_empty();
     let is_complete = checked.completeness == Completeness::Complete;
     if !is_own || !is_complete || !draws_image(&checked.program) {
@@ -37,7 +38,11 @@ pub fn apply(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
 }
 
 /// Adds findings about what the host of a shader does not accept.
-pub fn add_limits(host: &Preset, checked: &mut Checked) {
+pub fn add_limits(shader: &mut ShaderCheck) {
+    let Some(host) = shader.part.host else {
+        return;
+    };
+    let checked = &mut shader.checked;
     let found = limits(&checked.program, host).into_iter().map(|beyond| {
         let note = format!(
             "{} does not accept {}",

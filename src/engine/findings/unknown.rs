@@ -4,6 +4,7 @@
 //! text it is a warning if it looks like a typo and appears nowhere else in the repository; all
 //! others are listed in one info per file.
 
+use super::stage::{FileCheck, ShaderCheck, Unresolved};
 use super::typo::{Vocabulary, is_typo, variables};
 use crate::hosts::host::Hosts;
 use crate::shader::reading::code_of;
@@ -12,30 +13,17 @@ use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::matches_any;
 use shaderlint_semantic::{BuiltinId, Completeness};
-use shaderlint_text::{Edit, Sources, Span};
+use shaderlint_text::{Edit, Span};
 use std::cell::LazyCell;
-use std::collections::BTreeSet;
-use std::sync::Arc;
 
 /// Maximum number of names that an info lists.
 const MAX_LISTED: usize = 12;
 
-/// The names that the hosts of a file have to declare, and the first use.
-#[derive(Default)]
-pub struct Unresolved {
-    first: Option<Span>,
-    names: BTreeSet<String>,
-}
-
 /// Adds undeclared names to the diagnostics of a shader if they are mistakes, and to `unresolved`
 /// if a host may declare them.
-pub fn decide_severity(
-    sources: &Arc<Sources>,
-    part: &ShaderInput,
-    checked: &mut Checked,
-    hosts: &Hosts,
-    unresolved: &mut Unresolved,
-) {
+pub fn decide_severity(shader: &mut ShaderCheck) {
+    let (sources, part, hosts) = (shader.sources, shader.part, shader.hosts);
+    let (checked, unresolved) = (&mut shader.checked, &mut *shader.unresolved);
     if part.readings.is_shown() {
         return;
     }
@@ -172,9 +160,14 @@ fn is_near(d: &Diagnostic, word: &str) -> bool {
     !d.labels.is_empty() || near.is_some_and(|edit| is_typo(word, &edit.text))
 }
 
+/// Adds one info about the names that the hosts of a file have to declare.
+pub fn list_unresolved(file: &mut FileCheck) {
+    file.report.diagnostics.extend(file.unresolved.report());
+}
+
 impl Unresolved {
     /// The info about these names.
-    pub fn report(self) -> Option<Diagnostic> {
+    fn report(&self) -> Option<Diagnostic> {
         let count = self.names.len();
         let listed: Vec<String> = self
             .names

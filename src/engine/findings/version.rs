@@ -1,23 +1,23 @@
 //! The `#version` of GLSL ES 3.00 where it is missing.
 
-use crate::hosts::host::Hosts;
+use super::stage::ShaderCheck;
 use crate::shader::reading::code_of;
-use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_explain::Checked;
 use shaderlint_semantic::Completeness;
 use shaderlint_syntax::{Version, WordClass, classify};
-use shaderlint_text::{Edit, Role, Sources, Span};
+use shaderlint_text::{Edit, Role, Span};
+
+/// Adds the finding about a missing `#version`.
+pub fn report_missing(shader: &mut ShaderCheck) {
+    let found = missing(shader);
+    shader.checked.diagnostics.extend(found);
+}
 
 /// Reports a shader that requires GLSL ES 3.00 but has no `#version`: an error if it is compiled
 /// unchanged, a warning in a file that no known host completes.
-pub fn missing(
-    sources: &Sources,
-    part: &ShaderInput,
-    checked: &Checked,
-    hosts: &Hosts,
-) -> Option<Diagnostic> {
-    if checked.completeness == Completeness::Excerpt {
+fn missing(shader: &ShaderCheck) -> Option<Diagnostic> {
+    let (sources, part) = (shader.sources, shader.part);
+    if shader.checked.completeness == Completeness::Excerpt {
         return None;
     }
     let files = &part.reading()?.files;
@@ -28,7 +28,7 @@ pub fn missing(
     let is_alone = code_of(sources, files).len() == first.text.len();
     let severity = match part.readings.is_compiled() {
         true => Severity::Error,
-        false if is_alone && !part.readings.is_handed_over() && hosts.adds_no_version() => {
+        false if is_alone && !part.readings.is_handed_over() && shader.hosts.adds_no_version() => {
             Severity::Warning
         }
         false => return None,
@@ -45,8 +45,9 @@ pub fn missing(
 
 /// Lowers the errors of words that only GLSL ES 3.00 reserves to warnings, in a text without `#version`
 /// whose host is unknown: some hosts compile such a text as GLSL ES 1.00 and define `in` and `out`.
-pub fn lower_reserved_words(sources: &Sources, part: &ShaderInput, checked: &mut Checked) {
-    let readings = &part.readings;
+pub fn lower_reserved_words(shader: &mut ShaderCheck) {
+    let (sources, readings) = (shader.sources, &shader.part.readings);
+    let checked = &mut shader.checked;
     let has_host = !readings.hosts.is_empty() || readings.is_compiled();
     if has_host || readings.has_version() || checked.program.dialect.is_shadertoy() {
         return;

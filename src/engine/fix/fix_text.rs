@@ -4,7 +4,7 @@ use super::look::look;
 use super::verify::equal;
 use crate::check_context::{CheckContext, Keep};
 use crate::files::Files;
-use crate::findings::document::Report;
+use crate::findings::report::Report;
 use crate::options::Options;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_exec::Equality;
@@ -95,7 +95,7 @@ impl Report {
 mod tests {
     use super::*;
     use crate::NoFiles;
-    use crate::findings::document::check_text;
+    use crate::check::check_text;
     use shaderlint_diagnostic::{Fix, Origin, Severity};
     use shaderlint_text::{Edit, Encoding, Role, Span};
 

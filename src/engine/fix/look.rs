@@ -1,7 +1,8 @@
 //! What the fix engine sees of a checked text: the findings with positions in the input, and its shaders.
 
+use crate::check::check_text;
 use crate::check_context::CheckContext;
-use crate::findings::document::{Report, check_text};
+use crate::findings::report::Report;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_lint::{CheckedSpans, Look, Shown};
 use shaderlint_semantic::Completeness;

@@ -3,7 +3,7 @@
 use super::look::look;
 use crate::check_context::{CheckContext, Keep};
 use crate::files::Files;
-use crate::findings::document::Report;
+use crate::findings::report::Report;
 use crate::options::Options;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Severity};
 use shaderlint_lint::{Settings, failing_fixes};

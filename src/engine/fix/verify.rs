@@ -1,8 +1,8 @@
 //! Verifies that the output of a port draws the same as the project: the output is read back, and
 //! each pass is compared with its original.
 
+use crate::check::analyze;
 use crate::files::NoFiles;
-use crate::findings::document::analyze;
 use crate::inputs::{Button, Moment, Mouse, Scene};
 use crate::options::Options;
 use serde::Deserialize;

@@ -190,11 +190,11 @@ fn hosted_with_siblings(
 
 /// Drops findings about desktop GLSL that the port repairs silently: implicit conversions,
 /// keywords, or everything if the repaired text has no errors.
-pub fn leave_repaired(
-    sources: &Sources,
-    (part, host): (&ShaderInput, &'static Preset),
-    diagnostics: &mut Vec<Diagnostic>,
-) {
+pub fn leave_repaired(sources: &Sources, part: &ShaderInput, diagnostics: &mut Vec<Diagnostic>) {
+    // A host that does not accept desktop GLSL rejects it, as WebGL does.
+    let Some(host) = part.host.filter(|h| !h.composes || h.runs_desktop()) else {
+        return;
+    };
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     let is_safe = |d: &Diagnostic| {
         let fix = d.fix.as_ref();

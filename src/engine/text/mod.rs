@@ -4,3 +4,4 @@ pub mod embedded;
 pub mod foreign;
 mod leading_blanks;
 pub mod shader_file;
+pub mod split;

@@ -11,7 +11,8 @@ use shaderlint_semantic::{Type, VariableId};
 use shaderlint_syntax::ast::Extent;
 
 impl Compiler<'_> {
-    /// Marks the start of the statement of an operation. Declarations that compute nothing are none.
+    /// Marks the start of the statement of an operation. Declarations that compute nothing are not
+    /// statements.
     pub fn stop_at(&mut self, op: OpId) {
         if self.options.steps && !computes_nothing(self.module, op) {
             self.stop_before(self.module.provenance(op));

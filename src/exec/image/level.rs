@@ -82,7 +82,7 @@ fn of_lengths(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     0.5 * logarithm(square(x).max(square(y)))
 }
 
-/// The level of a pixel with this footprint on a cube map. It may lie on several faces, so the
+/// The level of a pixel with this footprint on a cube map. It may be on several faces, so the
 /// maximum over all axes counts.
 fn of_directions(texture: &Texture, x: [f32; 3], y: [f32; 3]) -> f32 {
     let distance = |[a, b, c]: [f32; 3]| {

@@ -5,7 +5,7 @@ use shaderlint_semantic::Program;
 use shaderlint_text::Span;
 
 /// Keeps the first error of a statement that does not parse. What is reported about the names and
-/// types in it depends on how it was parsed, so it is no second mistake. `errors` are in source
+/// types in it depends on how it was parsed, so it is not a second mistake. `errors` are in source
 /// order.
 pub(super) fn keep_causes(program: &Program, errors: &mut Vec<Diagnostic>) {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(errors.len());

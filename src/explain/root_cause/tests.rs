@@ -189,7 +189,7 @@ fn rechecks_of_a_long_text_are_limited_by_a_budget() {
     assert!(!long.is_empty() && long != reported(10), "{long:?}");
 }
 
-/// After what cannot be read, names and types of the same statement are no mistakes of their own.
+/// After a syntax error, names and types of the same statement are not reported.
 #[test]
 fn only_the_first_error_of_a_statement_is_reported() {
     let errors = |statement: &str| {

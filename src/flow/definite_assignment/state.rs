@@ -16,7 +16,7 @@ pub struct UnassignedVariable {
     /// Whether nothing was assigned to them before on any path; for an output, anywhere in the
     /// function.
     pub always: bool,
-    /// Whether a condition lies between the declaration and this point; it may well imply that the
+    /// Whether a condition is between the declaration and this point; it may well imply that the
     /// variable is assigned.
     pub guarded: bool,
 }

@@ -698,7 +698,7 @@ impl<'x> AssignmentWalk<'x> {
         ty.is_some_and(|ty| ty.array == 0 && self.program.struct_of(ty).is_some())
     }
 
-    /// Whether a condition lies between a point and this operation.
+    /// Whether a condition is between a point and this operation.
     fn is_guarded(&self, op: OpId, since: u32) -> bool {
         let is_chosen = self.chosen.get(op.0 as usize).copied().unwrap_or(false);
         is_chosen || self.exit > since || self.branches.iter().any(|b| b.0 > since)

@@ -121,7 +121,7 @@ fn steps_proportional_to_the_distance_end() {
 }
 
 #[test]
-fn bisections_end() {
+fn loops_that_bisect_an_interval_end() {
     check(
         "float a = 0.0, b = x; while (abs(b - a) > 0.01) { float m = (a + b) / 2.0; \
          if (sin(m) > 0.5) a = m; else b = m; }",

@@ -64,7 +64,7 @@ pub struct Interval {
     /// The upper bound.
     pub hi: End,
     /// Inner approximation: some values are known to be at most the first, and some at least the
-    /// second, although the bounds lie further out. Empty if the first is greater.
+    /// second, although the bounds are further out. Empty if the first is greater.
     pub inner: [f32; 2],
     /// Whether rounding affects it.
     pub rounding: Rounding,
@@ -272,7 +272,7 @@ impl Interval {
         (self.lo.value == self.hi.value).then_some(self.lo.value)
     }
 
-    /// Whether a value lies in the interval.
+    /// Whether a value is in the interval.
     pub fn contains(&self, value: f64) -> bool {
         self.lo.value <= value && value <= self.hi.value
     }
@@ -299,7 +299,7 @@ impl Interval {
         self.is_above(value) || is_reached || self.is_split_by(value)
     }
 
-    /// Whether `value` lies strictly within the inner interval. If all known values lie on one
+    /// Whether `value` is strictly within the inner interval. If all known values are on one
     /// side, the bound on the other side is probably not attained.
     fn is_split_by(&self, value: f64) -> bool {
         let [least, most] = self.inner;

@@ -340,7 +340,7 @@ impl SolverState {
     }
 }
 
-/// Whether one range lies in another.
+/// Whether one range is within another.
 fn is_within(inner: &Interval, outer: &Interval) -> bool {
     inner.lo.value >= outer.lo.value && inner.hi.value <= outer.hi.value
 }

@@ -367,7 +367,7 @@ fn rounding_errors_do_not_count_as_negative_values() {
 }
 
 #[test]
-fn integers_reach_zero_where_they_count_through_it() {
+fn integer_arithmetic_may_result_in_zero() {
     let holds_zero = |expr: &str, expected: bool| {
         let code = format!(
             "void mainImage(out vec4 o, vec2 p) {{ o = vec4(p, 0.0, 1.0); }}

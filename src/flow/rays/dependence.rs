@@ -210,7 +210,7 @@ impl<'x> LoopSlice<'x> {
 
     /// The components that a distance consists of: itself, and what it is a multiple, a sum, the minimum
     /// or the like of. Heads of other values are followed into the previous iteration; the position along
-    /// the ray is no part of a distance.
+    /// the ray is not part of a distance.
     pub fn cores(
         &self,
         from: ValueLane,

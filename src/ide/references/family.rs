@@ -278,8 +278,8 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
     family
 }
 
-/// Whether texts that name nothing of this shader may refer to its symbol: whoever completes a
-/// fragment may put it together with others, at its end or where it includes something.
+/// Whether texts that name nothing of this shader may refer to its symbol: the host that completes a
+/// fragment may join it with others, at its end or where it includes something.
 fn may_be_used_elsewhere(here: &NameHere) -> bool {
     let (analysis, program) = (here.spot.analysis, here.spot.program());
     if analysis.completeness == Completeness::Complete {

@@ -113,7 +113,7 @@ impl<'a> ErrorChange<'a> {
         self.known(d, place).is_some()
     }
 
-    /// Whether the errors that the edits fix are gone, and did not only move.
+    /// Whether the edits remove the errors that they fix, instead of only moving them.
     pub fn fixes_all(&self) -> bool {
         let remains = |d: &Diagnostic| {
             let place = self.origin(d);

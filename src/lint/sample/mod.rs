@@ -414,7 +414,7 @@ impl<'a> Facts<'a> {
         self.samples.is_blank.set(true);
     }
 
-    /// Whether a rule has reported that nothing is visible, so that others need not.
+    /// Whether a rule has reported that nothing is visible, so that others do not repeat it.
     pub fn is_blank(&self) -> bool {
         self.samples.is_blank.get()
     }

@@ -76,7 +76,7 @@ pub fn costs(snapshot: &Snapshot, params: &CostParams) -> Answer<Vec<ShaderCosts
 }
 
 /// The sample runs of a document. If they are still to come, its shaders are run now, so that a
-/// client need not ask again.
+/// client does not ask again.
 fn seen(snapshot: &Snapshot, buffer: &TextBuffer) -> Vec<Option<RunObservations>> {
     let is_run = snapshot.settings.run && !snapshot.leaves_out(buffer);
     if buffer.ran.get().is_some() || !is_run {

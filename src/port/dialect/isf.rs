@@ -636,7 +636,7 @@ mod tests {
     }
 
     #[test]
-    fn vertex_shaders_alone_name_the_missing_fragment_shader() {
+    fn vertex_shaders_without_a_fragment_shader_name_the_missing_file() {
         let text = "varying vec2 q; void main() { isf_vertShaderInit(); q = vec2(1.0); }";
         assert_eq!(known(text), "isf");
         let notes = plan(&Clues::of(text)).notes;

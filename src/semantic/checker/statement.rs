@@ -173,7 +173,7 @@ impl Checker<'_> {
     }
 
     /// `S;` for a struct, which parses as an expression but is a declaration without a name. The
-    /// size in `S[2];` is checked all the same.
+    /// size in `S[2];` is still checked.
     fn declares_nothing(&mut self, expr: ExprId) -> bool {
         let (named, size) = match self.tree.expr(expr).kind {
             ExprKind::Index(array, size) => (array, Some(size)),

@@ -52,7 +52,7 @@ const NAMES: &[(&str, &str)] = &[
 /// Most uses of a name that a fix renames.
 const MAX_RENAMED: usize = 1_000;
 
-/// Whether a keyword is no keyword in the oldest version, so that its shaders may use it as a name.
+/// Whether a keyword is not reserved in the oldest version, so that its shaders may use it as a name.
 fn is_newer(word: &str) -> bool {
     let old = classify(word, Version::Es100);
     matches!(old, WordClass::Plain | WordClass::Reserved)

@@ -141,9 +141,9 @@ async function browserAlone(context) {
 
 export const codeTests = [
   { name: 'page: code is compiled while typing', run: edited, context: desk },
-  { name: 'page: editor keys', run: keysOfTheEditor, context: desk },
-  { name: 'page: the passes and their sliders', run: passes, context: desk },
+  { name: 'page: the editor indents lines, and Escape leaves it', run: keysOfTheEditor, context: desk },
+  { name: 'page: passes are shown with their sliders', run: passes, context: desk },
   { name: 'page: long code stays responsive', run: long, context: desk },
   { name: 'page: errors have pass, line and help', run: errors, context: desk },
-  { name: 'page: errors found only by the browser', run: browserAlone, context: desk },
+  { name: 'page: errors found only by the browser are shown', run: browserAlone, context: desk },
 ];

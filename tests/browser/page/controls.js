@@ -224,12 +224,12 @@ async function heavy(context) {
 }
 
 export const controlTests = [
-  { name: 'page: sliders from tunable numbers', run: sliders, context: desk },
-  { name: 'page: sliders for constants', run: constants, context: desk },
-  { name: 'page: labels of ISF', run: labels, context: desk },
-  { name: 'page: options in the address', run: restored, context: desk },
-  { name: 'page: copying the link, the shader and the module', run: copied, context: desk, mayComplain: true },
+  { name: 'page: sliders change tunable numbers', run: sliders, context: desk },
+  { name: 'page: sliders change constants', run: constants, context: desk },
+  { name: 'page: controls have the labels of ISF', run: labels, context: desk },
+  { name: 'page: options in the address are restored', run: restored, context: desk },
+  { name: 'page: the link, the shader and the module are copied', run: copied, context: desk, mayComplain: true },
   { name: 'page: the scale stays in the address', run: scale, context: desk },
-  { name: 'page: controls of every kind', run: kinds, context: desk },
-  { name: 'page: a heavy shader', run: heavy, context: desk },
+  { name: 'page: controls of every kind set their uniforms', run: kinds, context: desk },
+  { name: 'page: slow frames are reported', run: heavy, context: desk },
 ];

@@ -185,12 +185,12 @@ async function notDebugged(context) {
 }
 
 export const exportTests = [
-  { name: 'page: saving an image', run: shot, context: desk },
-  { name: 'page: recording frame by frame, with sound', run: exactFilm, context: desk },
-  { name: 'page: a stopped recording', run: stopped, context: desk },
-  { name: 'page: recording in real time', run: liveFilm, context: desk },
+  { name: 'page: the frame is saved as an image', run: shot, context: desk },
+  { name: 'page: frames are recorded exactly, with sound', run: exactFilm, context: desk },
+  { name: 'page: a stopped recording is saved', run: stopped, context: desk },
+  { name: 'page: recordings work in real time', run: liveFilm, context: desk },
   { name: 'page: the debugger of the playground opens at a pixel', run: debugged, context: desk },
   { name: 'page: the debugger gets all passes and their channels', run: debuggedPasses, context: desk },
-  { name: 'page: no debugger without a playground', run: notDebugged, context: desk },
+  { name: 'page: without a playground no debugger is offered', run: notDebugged, context: desk },
   { name: 'page: descriptions are text and links', run: words, context: desk },
 ];

@@ -95,6 +95,6 @@ async function keysOfTheShader(context) {
 export const inputTests = [
   { name: 'page: a second finger is not the mouse', run: fingers, context: phone },
   { name: 'page: a lost pointer is released', run: lostCapture, context: desk },
-  { name: 'page: shortcuts', run: shortcuts, context: desk },
+  { name: 'page: shortcuts control the player', run: shortcuts, context: desk },
   { name: 'page: keys go to a shader that reads them', run: keysOfTheShader, context: desk },
 ];

@@ -287,16 +287,16 @@ async function narrowBar(context) {
 }
 
 export const layoutTests = [
-  { name: 'page: touch targets', run: fingers, context: phone },
-  { name: 'page: names for screen readers', run: names, context: desk },
-  { name: 'page: keyboard operation', run: keysAlone, context: desk },
-  { name: 'page: the bar of a narrow page', run: narrowBar, context: desk },
+  { name: 'page: touch targets are large enough', run: fingers, context: phone },
+  { name: 'page: controls have names for screen readers', run: names, context: desk },
+  { name: 'page: everything works with the keyboard', run: keysAlone, context: desk },
+  { name: 'page: the bar fits a narrow page', run: narrowBar, context: desk },
   { name: 'page: the panel is next to the canvas', run: beside, context: desk },
   { name: 'page: the panel is a sheet on a phone', run: sheet, context: phone },
   { name: 'page: the bar hides when idle', run: idleBar, context: desk },
-  { name: 'page: full screen', run: fullScreen, context: desk },
-  { name: 'page: embedded, or without its bar', run: bare, context: desk },
+  { name: 'page: the canvas fills the screen', run: fullScreen, context: desk },
+  { name: 'page: embedded pages show a small bar or none', run: bare, context: desk },
   { name: 'page: reduced motion starts with a button', run: calm, context: { ...desk, reducedMotion: 'reduce' } },
-  { name: 'page: readable in light mode', run: readable, context: { ...desk, colorScheme: 'light' } },
-  { name: 'page: readable in dark mode', run: readable, context: { ...desk, colorScheme: 'dark' } },
+  { name: 'page: text is readable in light mode', run: readable, context: { ...desk, colorScheme: 'light' } },
+  { name: 'page: text is readable in dark mode', run: readable, context: { ...desk, colorScheme: 'dark' } },
 ];

@@ -76,8 +76,8 @@ async function unread(context) {
 export const mediaTests = [
   { name: 'page: missing files are reported on the canvas', run: missing, context: desk },
   { name: 'page: empty channels of an export are not missing', run: leftEmpty, context: desk },
-  { name: 'page: a file dropped on a row', run: onARow, context: desk },
-  { name: 'page: a dismissed notice', run: dismissed, context: desk },
+  { name: 'page: a file dropped on a row fills its channel', run: onARow, context: desk },
+  { name: 'page: a dismissed notice does not reappear', run: dismissed, context: desk },
   { name: 'page: a stand-in is labelled', run: standIn, context: desk },
   { name: 'page: no notice if nothing is missing', run: unread, context: desk },
 ];

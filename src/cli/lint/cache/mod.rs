@@ -13,6 +13,7 @@ pub use recorder::{Answers, Recorder};
 use super::super::config::absolute;
 use super::super::input::InputFile;
 use crate::engine::Options;
+use crate::engine::config::FILE;
 use crate::text::Content;
 use std::collections::HashMap;
 use std::fs;
@@ -27,7 +28,7 @@ pub const FOLDER: &str = ".shaderlint_cache";
 /// Largest entry in bytes.
 const MAX_ENTRY: usize = 1 << 20;
 /// Files that mark the top of a project.
-const TOPS: [&str; 2] = [super::super::config::FILE, ".git"];
+const TOPS: [&str; 2] = [FILE, ".git"];
 /// Tells backup programs that the folder can be made again, see `bford.info/cachedir`.
 const TAG: &str = "Signature: 8a477f597d28d172789f06886806bc55\n\
     # This folder holds results of shaderlint. It can be deleted at any time.\n";

@@ -101,7 +101,7 @@ impl ExplainContext<'_> {
         outputs.collect()
     }
 
-    /// The uses of a built-in output; `None` if one is in a macro, or its index is no literal.
+    /// The uses of a built-in output; `None` if one is in a macro, or its index is not a literal.
     fn output_uses(&self, name: Name, is_indexed: bool) -> Option<Vec<OutputUse>> {
         let tokens = &self.tokens.tokens;
         if !self.affords(tokens.len()) {

@@ -1,4 +1,4 @@
-//! A temporary folder to run the programs in.
+//! A temporary folder to run the programs in, for all tests.
 
 use insta_cmd::get_cargo_bin;
 use std::fs;
@@ -94,6 +94,37 @@ impl Scratch {
     /// Runs the program with this text as standard input.
     pub fn pipe(&self, text: &str, args: &[&str]) -> Ran {
         ran(&mut self.command(args), text)
+    }
+
+    /// A command that runs `shaderport` in the folder.
+    pub fn port_command(&self, args: &str) -> Command {
+        let mut command = Command::new(get_cargo_bin("shaderport"));
+        command
+            .current_dir(self.path(""))
+            .args(args.split_whitespace());
+        command
+    }
+
+    /// Exit code and messages of `shaderport`, without the notes about missing media files.
+    pub fn port(&self, args: &str) -> (Option<i32>, String) {
+        let out = self.port_command(args).output().unwrap();
+        let message = String::from_utf8(out.stderr).unwrap();
+        let lines = message.lines().filter(|l| !l.contains(" file given; "));
+        let lines: Vec<&str> = lines.collect();
+        (out.status.code(), lines.join("\n"))
+    }
+
+    /// Asserts that `shaderport` succeeds with this message.
+    #[track_caller]
+    pub fn ports(&self, args: &str, message: &str) {
+        assert_eq!(self.port(args), (Some(0), message.to_string()), "{args}");
+    }
+
+    /// Asserts that `shaderport` fails with this message.
+    #[track_caller]
+    pub fn port_fails(&self, args: &str, message: &str) {
+        let message = format!("shaderport: {message}");
+        assert_eq!(self.port(args), (Some(2), message), "{args}");
     }
 
     /// The printed findings of a file, each as `line:column rule`.

@@ -1,19 +1,29 @@
 //! The project that contains a file, which limits what its shaders may include.
 
-use crate::text::path::plain;
+use super::load::FILE;
+use crate::files::{FileType, Files};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
-/// Name of the configuration file.
-pub const FILE: &str = "shaderlint.toml";
+/// What limits the files of a project.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ProjectLimit {
+    /// Its outermost folder, which is not the home folder of the user.
+    Folder {
+        /// The home folder, if it is known.
+        home: Option<PathBuf>,
+    },
+    /// Nothing: all files were sent for the project.
+    Nothing,
+}
 
 /// The folders of a project.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct ProjectFolders {
-    /// The outermost folder; includes may not leave it.
+    /// The outermost folder, without symbolic links; includes may not leave it. Empty for no limit.
     pub root: PathBuf,
-    /// Folders that a leading `/` in an include may refer to, nearest first; the last is the root.
+    /// Folders that a leading `/` in an include may refer to, nearest first.
     pub tops: Vec<PathBuf>,
 }
 
@@ -25,20 +35,18 @@ type MarkedFolders = [Option<PathBuf>; MARKS.len()];
 
 /// Finds the projects around folders. Reads the marks of each folder once.
 pub struct ProjectFinder {
-    /// The paths on the command line.
+    /// The paths on the command line, or the folders of a workspace.
     named: HashSet<PathBuf>,
-    here: Option<PathBuf>,
-    home: Option<PathBuf>,
+    limit: ProjectLimit,
     marked: Mutex<HashMap<PathBuf, MarkedFolders>>,
 }
 
 impl ProjectFinder {
-    /// `named` are the paths on the command line.
-    pub fn new(named: &[PathBuf]) -> ProjectFinder {
+    /// `named` are the paths on the command line, or the folders of a workspace.
+    pub fn new(named: HashSet<PathBuf>, limit: ProjectLimit) -> ProjectFinder {
         ProjectFinder {
-            named: named.iter().map(|p| absolute(p)).collect(),
-            here: std::env::current_dir().ok(),
-            home: std::env::var_os("HOME").map(PathBuf::from),
+            named,
+            limit,
             marked: Mutex::default(),
         }
     }
@@ -47,44 +55,51 @@ impl ProjectFinder {
     ///
     /// A project is a repository, a folder with a configuration or a package, a folder on the
     /// command line, or the current folder. The outermost one limits what may be read.
-    pub fn around(&self, folder: &Path) -> ProjectFolders {
-        let mut tops = self.found(folder);
+    pub fn around(&self, files: &dyn Files, folder: &Path) -> ProjectFolders {
+        let mut tops = self.found(files, folder);
+        if self.limit == ProjectLimit::Nothing {
+            let root = PathBuf::new();
+            return ProjectFolders { root, tops };
+        }
         if tops.is_empty() {
             tops.push(folder.to_path_buf());
         }
+        let root = tops.last().and_then(|root| files.real(root));
         ProjectFolders {
-            root: tops.last().cloned().unwrap_or_default(),
+            root: root.unwrap_or_default(),
             tops,
         }
     }
 
     /// The folders of the project around a folder, nearest first; none if nothing marks a project.
-    pub fn found(&self, folder: &Path) -> Vec<PathBuf> {
-        // A repository in the home folder or at the root holds settings of the machine, not a
-        // project.
-        let is_narrow = |f: &PathBuf| {
-            f.parent().is_some() && Some(f) != self.home.as_ref() && folder.starts_with(f)
-        };
-        let marked = self.marked(folder).into_iter().flatten();
-        let mut tops: Vec<PathBuf> = marked.filter(is_narrow).collect();
-        tops.extend(owner(folder).filter(is_narrow));
-        tops.extend(self.here.clone().filter(is_narrow));
+    pub fn found(&self, files: &dyn Files, folder: &Path) -> Vec<PathBuf> {
+        let mut tops: Vec<PathBuf> = self.marked(files, folder).into_iter().flatten().collect();
+        if let ProjectLimit::Folder { home } = &self.limit {
+            tops.extend(owner(folder));
+            tops.push(files.here().to_path_buf());
+            // A repository in the home folder or at the root holds settings of the machine, not a
+            // project.
+            tops.retain(|f| {
+                f.parent().is_some() && Some(f) != home.as_ref() && folder.starts_with(f)
+            });
+        }
         let named = folder.ancestors().filter(|f| self.named.contains(*f));
-        tops.extend(named.filter(|f| f.is_dir()).map(Path::to_path_buf));
+        let named = named.filter(|f| files.entry(f) == Some(FileType::Folder));
+        tops.extend(named.map(Path::to_path_buf));
         tops.sort_by_key(|f| std::cmp::Reverse(f.components().count()));
         tops.dedup();
         tops
     }
 
     /// The nearest marked folders, of this one and those above.
-    fn marked(&self, folder: &Path) -> MarkedFolders {
+    fn marked(&self, files: &dyn Files, folder: &Path) -> MarkedFolders {
         if let Some(known) = self.lock().get(folder) {
             return known.clone();
         }
-        let above = folder.parent().map(|above| self.marked(above));
+        let above = folder.parent().map(|above| self.marked(files, above));
         let mut marked = above.unwrap_or_default();
         for (slot, mark) in marked.iter_mut().zip(MARKS) {
-            if folder.join(mark).exists() {
+            if files.entry(&folder.join(mark)).is_some() {
                 *slot = Some(folder.to_path_buf());
             }
         }
@@ -107,10 +122,4 @@ fn owner(folder: &Path) -> Option<PathBuf> {
         .filter(|f| f.ends_with("node_modules"))
         .last();
     Some(packages?.parent()?.to_path_buf())
-}
-
-/// An absolute path without `..`, resolved lexically.
-pub fn absolute(path: &Path) -> PathBuf {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
-    plain(&path)
 }
