@@ -3,6 +3,7 @@
 mod built_ins;
 mod circles;
 pub mod code;
+mod copies;
 mod messages;
 mod names;
 mod scripts;

@@ -42,6 +42,9 @@ fn read_requested(
     let root = root.canonicalize();
     let is_stdin = path.as_os_str() == "-";
     for asked in requested {
+        if texts.contains_key(asked) {
+            continue;
+        }
         if texts.len() >= MAX_TEXTS {
             return Err(format!("the shader includes more than {MAX_TEXTS} files"));
         }

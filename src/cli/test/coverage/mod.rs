@@ -6,6 +6,7 @@ mod share;
 
 use super::super::output::{Overwrite, write};
 use crate::play::Coverage;
+use crate::text::number::percent;
 use clap::ValueEnum;
 use share::{Share, shares};
 use std::path::Path;
@@ -51,10 +52,10 @@ pub fn summary(coverage: &Coverage) -> String {
     }
     let [lines, branches, _] = total;
     format!(
-        "coverage: {:.1} % of {} lines, {:.1} % of {} branches",
-        lines.percent(),
+        "coverage: {} of {} lines, {} of {} branches",
+        percent(lines.percent() / 100.0),
         lines.all,
-        branches.percent(),
+        percent(branches.percent() / 100.0),
         branches.all
     )
 }
