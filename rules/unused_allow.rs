@@ -3,7 +3,7 @@
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Group, Rule, RulePreset};
 
-/// Reports the comments that `suppress.rs` of the lint layer found to be unused.
+/// Reports the comments that `suppress` of the lint layer found to be unused.
 pub static RULE: Rule = Rule {
     name: "unused-allow",
     group: Group::Tidy,

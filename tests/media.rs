@@ -1,5 +1,6 @@
 //! The shaders that draw stand-ins for ShaderToy's media files.
 
+use super::tidy::files;
 use shaderlint::engine::{NoFiles, Options, check};
 use shaderlint::port::{Generator, OutputId, Project, add_stand_ins, html};
 use std::fs;
@@ -66,26 +67,18 @@ fn generators_have_no_findings() {
 #[test]
 fn every_generator_file_is_used() {
     let all: String = generators().iter().map(Generator::fragment).collect();
-    for folder in [
-        "src/port/media",
-        "src/port/media/lib",
-        "src/port/media/frame",
-    ] {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.extension().is_some_and(|e| e == "glsl") {
-                let text = fs::read_to_string(&path).unwrap();
-                let lines = text.lines().map(str::trim);
-                let code: Vec<_> = lines.filter(|l| !l.starts_with("//")).collect();
-                assert!(all.contains(&code.join("\n")), "{}", path.display());
-            }
-        }
+    let found = files(&["src/port/media"], ".glsl");
+    assert!(found.len() > 30, "{} files", found.len());
+    for (path, text) in found {
+        let lines = text.lines().map(str::trim);
+        let code: Vec<_> = lines.filter(|l| !l.starts_with("//")).collect();
+        assert!(all.contains(&code.join("\n")), "{path}");
     }
 }
 
 #[test]
 fn font_stroke_offsets_match_the_table() {
-    let text = fs::read_to_string("src/port/media/font.glsl").unwrap();
+    let text = fs::read_to_string("src/port/media/textures/font.glsl").unwrap();
     let (strokes, rest) = text.split_once("\n);\n").unwrap();
     let lines = strokes.lines().filter(|l| l.starts_with("    0x"));
     let mut begin = vec![0];

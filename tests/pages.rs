@@ -5,6 +5,7 @@
 //! and the tables in `rules/README.md`.
 
 use super::recorded::stale;
+use super::tidy::files;
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
 use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
 use shaderlint::host::{Feed, Limit, presets};
@@ -18,7 +19,7 @@ use shaderlint::semantic::{GuessedKind, guess};
 use shaderlint::syntax::Version;
 use shaderlint::text::Sources;
 use shaderlint::text::number::grouped;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -366,27 +367,22 @@ fn examples_of_error_pages_have_recorded_findings() {
         .map(|name| (format!("rules/errors/{name}.md"), *name)));
 }
 
-/// The list of the files of hosts, which names each.
+/// The list of the files of hosts, which names each. Their folders are kinds of hosts, for readers.
 #[test]
 fn the_list_of_hosts_is_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/host");
-    let files = fs::read_dir(folder.join("presets")).unwrap();
-    let names = files.map(|f| f.unwrap().path().file_stem().unwrap().to_owned());
-    let names: BTreeSet<String> = names.map(|n| n.into_string().unwrap()).collect();
-    let rows = names.iter().map(|name| {
-        let row = format!("    (\"{name}\", include_str!(\"presets/{name}.glsl\")),\n");
-        // As `cargo fmt` sets it.
-        match row.len() {
-            ..=66 => row,
-            _ => format!(
-                "    (\n        \"{name}\",\n        include_str!(\"presets/{name}.glsl\"),\n    ),\n"
-            ),
-        }
-    });
+    let mut rows = BTreeMap::new();
+    for (path, _) in files(&["src/host/presets"], ".glsl") {
+        let path = path.trim_start_matches("src/host/");
+        let name = path.rsplit('/').next().unwrap().trim_end_matches(".glsl");
+        let row = format!("    (\"{name}\", include_str!(\"{path}\")),\n");
+        assert_eq!(rows.insert(name.to_string(), row), None, "two hosts {name}");
+    }
     let list = format!(
         "//! Every file of `presets/`, in the order of the alphabet. Made by `cargo test --test all pages`.\n\n\
-         /// The name and the text of each.\npub(super) const FILES: &[(&str, &str)] = &[\n{}];\n",
-        rows.collect::<String>()
+         /// The name and the text of each.\n#[rustfmt::skip]\n\
+         pub(super) const FILES: &[(&str, &str)] = &[\n{}];\n",
+        rows.into_values().collect::<String>()
     );
     assert_eq!(stale(&folder.join("list.rs"), &list), None);
 }

@@ -4,15 +4,10 @@
 
 mod actions;
 mod branches;
-mod calls;
-mod candidates;
 mod color;
 mod complete;
 mod cost;
 mod document;
-mod expected;
-mod family;
-mod figure;
 mod folding;
 mod hints;
 mod hover;
@@ -20,26 +15,22 @@ mod index;
 mod lens;
 mod library;
 mod line_costs;
-mod navigate;
 mod outline;
 mod preview;
-mod proposal;
 mod refactor;
-mod rename;
+mod references;
 mod run;
-mod scripts;
 mod selection;
 mod signature;
 mod symbol;
 #[cfg(test)]
 mod tests;
 mod tokens;
-mod usage;
 
 pub use actions::{Action, ActionKind, actions, fix_all};
-pub use calls::{CallItem, CallLink, call_item, incoming, outgoing};
 pub use color::{Color, ColorSpan, colors, presentations};
 pub use complete::complete;
+pub use complete::proposal::{CompletionKind, Proposal};
 pub use cost::{CostSource, ShaderCost, shader_cost};
 pub use document::{Document, FileSpan, Overlay, Spot};
 pub use folding::{FoldKind, FoldingSpan, folds};
@@ -47,14 +38,16 @@ pub use hints::{Hint, HintKind, HintOptions, hints};
 pub use hover::{Hover, hover};
 pub use index::{Index, NameUse, Occurrence};
 pub use lens::{Lens, LensCommand, lenses};
-pub use navigate::{declaration, definition, highlights, references, shared_name, type_definition};
 pub use outline::{OutlineItem, outline};
 pub use preview::{preview_project, previewed};
-pub use proposal::{CompletionKind, Proposal};
 pub use refactor::{
     NewFile, RefactorKind, Refactoring, ShownValue, WITHIN, refactorings, shown_value,
 };
-pub use rename::{RenameRefusal, Renaming, may_rename, rename};
+pub use references::calls::{CallItem, CallLink, call_item, incoming, outgoing};
+pub use references::navigate::{
+    declaration, definition, highlights, references, shared_name, type_definition,
+};
+pub use references::rename::{RenameRefusal, Renaming, may_rename, rename};
 pub use run::{FrameCost, ObservedIterations, RunObservations, frame_cost, image_of, limits, run};
 pub use selection::selection;
 pub use signature::{Signature, SignatureHelp, signature_help};

@@ -3,7 +3,6 @@
 
 mod absorb;
 mod broken;
-mod change;
 mod checked_spans;
 mod context;
 #[cfg(test)]
@@ -14,14 +13,10 @@ mod fix;
 pub mod formula;
 pub mod given;
 mod inactive_words;
-pub mod indent;
-mod look;
 pub mod loop_invariant;
 pub mod march;
-mod misspelled;
 mod option;
 mod page;
-mod removal;
 mod rule;
 mod run;
 mod same;
@@ -35,12 +30,13 @@ pub use broken::{Broken, Obstacles};
 pub use checked_spans::CheckedSpans;
 pub use context::{Context, Finding};
 pub use facts::{CachedFacts, Facts, ShaderContext};
+pub use fix::indent;
+pub use fix::look::{Look, Shown};
+pub use fix::removal::{remove_declaration, remove_lines, remove_statement};
 pub use fix::{Allow, Fixed, Proof, failing_fixes, fix, keep_comments, without_images};
 pub use inactive_words::InactiveWords;
-pub use look::{Look, Shown};
 pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};
-pub use removal::{remove_declaration, remove_lines, remove_statement};
 pub use rule::{
     ALIASES, BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule,
     RulePreset, Shape, rule_name,

@@ -1,7 +1,7 @@
 //! Builds the output files of each target.
 
-use super::embed::still_name;
 use super::host_output::for_host;
+use super::html::embed::{embed, still_name};
 use super::order::{Destination, MainChoice, Order, Target};
 use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 #[cfg(feature = "naga")]
@@ -11,8 +11,8 @@ use super::translated::translated;
 #[cfg(feature = "naga")]
 use super::webgpu::{NoWebGpu, webgpu_passes};
 use super::{
-    Composed, PlayerPage, Poster, Project, ScriptModule, Still, embed, glsl, html, json, module,
-    react, rewrite, three,
+    Composed, PlayerPage, Poster, Project, ScriptModule, Still, glsl, html, json, module, react,
+    rewrite, three,
 };
 use shaderlint_semantic::{Pass, Stage};
 use std::path::{Path, PathBuf};

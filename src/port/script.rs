@@ -1,7 +1,7 @@
 //! The player's code, and the modules made from it.
 
 use super::payload::payload;
-use super::pieces::PlayerParts;
+use super::payload::pieces::PlayerParts;
 #[cfg(feature = "naga")]
 use super::webgpu::WebGpuPass;
 use super::{Composed, ControlKind, Project, UniformControl, credits};

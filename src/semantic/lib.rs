@@ -6,7 +6,6 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 pub mod builtins;
-mod calls;
 mod channels;
 mod check_shader;
 #[expect(
@@ -20,10 +19,7 @@ mod dialect;
 mod fold;
 mod host;
 mod infer_channels;
-pub mod interface;
-mod late_values;
 pub mod lists;
-mod mentions;
 #[expect(
     missing_docs,
     reason = "named after what it is; read by `explain` only"
@@ -35,16 +31,12 @@ pub mod parsed;
 )]
 pub mod problem;
 mod program;
-mod reach;
 #[expect(
     missing_docs,
     reason = "named after what it is; read by `explain` only"
 )]
 pub mod scope;
 pub mod snippet;
-mod static_use;
-mod structure;
-mod target;
 pub mod tunable;
 mod tunable_mark;
 mod types;
@@ -57,7 +49,6 @@ mod undefined;
 mod unit;
 
 pub use builtins::{BuiltinId, Stage};
-pub use calls::CallGraph;
 pub use channels::needed_channels;
 pub use check_shader::{CheckedShader, check_fragment, check_shader};
 pub use constant::{Constant, Pool, Value};
@@ -67,15 +58,17 @@ pub use dialect::{
     guess, needs_300,
 };
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
-pub use late_values::{globals, late_values};
-pub use mentions::Mentions;
+pub use program::calls::CallGraph;
+pub use program::interface;
+pub use program::late_values::{globals, late_values};
+pub use program::mentions::Mentions;
+pub use program::reach::Reachability;
+pub use program::structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
+pub use program::target::{root, swizzled};
 pub use program::{
     Call, Direction, ExprInfo, Function, FunctionRef, Parameter, Program, Resolution, Storage,
     Variable, VariableId,
 };
-pub use reach::Reachability;
-pub use structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
-pub use target::{root, swizzled};
 pub use types::{Base, Field, Inside, Sampler, Scalar, Struct, Type, type_name};
 pub use undefined::{ComparedWith, Comparing, OperandTest, Undefined};
 pub use unit::{Completeness, Unit};

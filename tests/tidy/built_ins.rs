@@ -35,7 +35,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("src/lint/rule.rs", &["all"]),
     ("src/engine/options.rs", &["any"]),
     // The method of arrays.
-    ("src/ide/expected.rs", &["length"]),
+    ("src/ide/complete/expected.rs", &["length"]),
     ("src/semantic/typing/member.rs", &["length"]),
     // What a text has to contain for a closer look.
     ("src/semantic/dialect.rs", &["texture"]),

@@ -2,12 +2,18 @@
 
 use super::code::{Token, end_of_item, tokens};
 use super::{files, root, walk};
+use std::collections::BTreeMap;
 use std::fs;
+use std::io::{Write, stdout};
 
 /// Maximum length of a file, in lines.
 const MAX_FILE: usize = 800;
 /// Maximum length of a function, in lines, with its signature and its closing brace.
 const MAX_FUNCTION: usize = 80;
+/// Most files in a folder of `src`, without those in folders in it.
+const MAX_FOLDER: usize = 25;
+/// Most lines of Rust in `src` and `rules`, as `wc -l` counts them.
+const MAX_LINES: usize = 184_000;
 
 #[test]
 fn modules_are_documented_and_stay_small() {
@@ -120,4 +126,30 @@ fn functions_fit_a_screen() {
     }
     assert!(count > 400, "{count} functions in Python");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn folders_of_src_have_at_most_25_files() {
+    let mut paths = Vec::new();
+    walk(&root().join("src"), &mut paths);
+    let mut counts: BTreeMap<_, usize> = BTreeMap::new();
+    for folder in paths.iter().filter_map(|path| path.parent()) {
+        *counts.entry(folder).or_default() += 1;
+    }
+    assert!(counts.len() > 50, "{} folders", counts.len());
+    counts.retain(|_, count| *count > MAX_FOLDER);
+    assert!(counts.is_empty(), "too many files in a folder: {counts:?}");
+}
+
+/// It prints the number whether or not the output of tests is shown, for `tests/run`.
+#[test]
+fn src_and_rules_have_at_most_184_000_lines_of_rust() {
+    let texts = files(&["src", "rules"], ".rs");
+    let count: usize = texts
+        .iter()
+        .map(|(_, text)| text.matches('\n').count())
+        .sum();
+    let line = format!("\nlines of Rust in src and rules: {count}\n");
+    stdout().write_all(line.as_bytes()).unwrap();
+    assert!(count <= MAX_LINES, "{count} of at most {MAX_LINES} lines");
 }

@@ -5,33 +5,14 @@
 //! here. Everything else they need comes from the program, in the state in which the checker met
 //! the problem.
 
-mod arguments;
-mod array;
-mod assign;
-mod block;
-mod call;
 mod calls;
-mod constant;
-mod construct;
 mod context;
-mod declare;
-mod entry;
-mod expression;
+mod declarations;
+mod expressions;
 mod foreign;
-mod function;
-mod interface;
-mod layout;
-mod legacy_output;
 mod limits;
-mod member;
 mod names;
-mod operator;
-mod output;
-mod place;
 mod problem;
-mod qualifier;
-mod record;
-mod resize;
 mod statement;
 mod switch;
 #[cfg(test)]
@@ -39,8 +20,8 @@ mod tests;
 mod version;
 mod webgl1;
 
-use arguments::joined_title;
 use context::ExplainContext;
+use expressions::arguments::joined_title;
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_semantic::builtins::{Builtins, MAX_PARAMS};
 use shaderlint_semantic::parsed::{Typed, is_decimal, own_name};

@@ -308,9 +308,14 @@ fn superfluous_code_is_removed() {
 #[expect(clippy::disallowed_methods, reason = "it reads sources")]
 fn problems_of_the_checker_have_messages_of_one_line() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../semantic/checker");
+    let mut open = vec![std::path::PathBuf::from(folder)];
     let mut rows = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+    while let Some(path) = open.pop() {
+        if path.is_dir() {
+            open.extend(std::fs::read_dir(path).unwrap().map(|e| e.unwrap().path()));
+            continue;
+        }
+        let text = std::fs::read_to_string(path).unwrap();
         let tests = text
             .split_once("\nmod tests {")
             .map_or("", |(_, tests)| tests);

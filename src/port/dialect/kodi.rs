@@ -1,7 +1,7 @@
 //! Kodi's add-on visualization.shadertoy: early ShaderToy code.
 //!
-//! Source: the preset `kodi` (`src/host/presets/kodi.glsl`). Its texts look like ShaderToy's, so
-//! only `--host` selects it.
+//! Source: the preset `kodi` (`src/host/presets/desktop/kodi.glsl`). Its texts look like
+//! ShaderToy's, so only `--host` selects it.
 
 use super::complete::completions_after;
 use super::{Clues, Completion, HostCode, Plan};

@@ -1,8 +1,8 @@
 //! Fragment shaders for the ShaderMaterial of three.js.
 //!
-//! Source: the preset `three` (`src/host/presets/three.glsl`), which contains the declarations that
-//! three.js adds. The varyings are common ones of user-defined vertex shaders, such as `vUv`: they
-//! have the values of a plane in front of the camera.
+//! Source: the preset `three` (`src/host/presets/libraries/three.glsl`), which contains the
+//! declarations that three.js adds. The varyings are common ones of user-defined vertex shaders,
+//! such as `vUv`: they have the values of a plane in front of the camera.
 
 use super::complete::{Completion, completions_of, defaults};
 use super::{Clues, HostCode, Plan, Sign};

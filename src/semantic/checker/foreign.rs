@@ -1,6 +1,6 @@
 //! Undeclared names of other languages, and the types of their GLSL equivalents.
 
-use super::qualifier::StorageRequest;
+use super::declarations::qualifier::StorageRequest;
 use super::*;
 use shaderlint_syntax::{Foreign, Meaning, WordClass, classify, foreign};
 

@@ -7,28 +7,14 @@
 //! Each file has the checks of one area, and an enum of its errors. Their messages are in the file
 //! of the same name in `explain/messages`.
 
-mod array;
-mod assign;
-mod binary;
-mod call;
 mod calls;
 mod candidate_type;
-mod construct;
-mod declare;
-mod entry;
-mod expression;
+mod declarations;
+mod expressions;
 mod finish;
 mod foreign;
-mod function;
-mod interface;
-mod kept;
-mod layout;
 mod limits;
 mod names;
-mod output;
-mod place;
-mod qualifier;
-mod record;
 mod statement;
 mod switch;
 #[cfg(test)]
@@ -47,26 +33,26 @@ use super::scope::{Binding, Scopes};
 use super::types::*;
 use super::typing::{self, Clash, Member, TypeMismatch};
 use crate::BuiltinId;
-pub use array::ArrayError;
-pub use assign::ValueError;
-pub use call::ArgumentError;
 pub use calls::CallError;
 use candidate_type::{CandidateTypes, choose_types};
-pub use declare::DeclarationError;
-pub use entry::EntryError;
-pub use expression::{ExpressionError, Indexed};
+pub use declarations::array::ArrayError;
+pub use declarations::declare::DeclarationError;
+pub use declarations::entry::EntryError;
+pub use declarations::function::FunctionError;
+pub use declarations::interface::InterfaceError;
+pub use declarations::layout::LayoutError;
+pub use declarations::output::OutputError;
+use declarations::qualifier::Precisions;
+pub use declarations::qualifier::{QualifierError, StorageRequest};
+pub use declarations::record::{RecordError, RecordKind};
+pub use expressions::assign::ValueError;
+pub use expressions::call::ArgumentError;
+pub use expressions::expression::{ExpressionError, Indexed};
+pub use expressions::place::{PlaceError, Writer};
 use finish::LoopCheck;
 pub use foreign::ForeignError;
-pub use function::FunctionError;
-pub use interface::InterfaceError;
-pub use layout::LayoutError;
 pub use limits::LimitError;
 pub use names::{NameError, Owner};
-pub use output::OutputError;
-pub use place::{PlaceError, Writer};
-use qualifier::Precisions;
-pub use qualifier::{QualifierError, StorageRequest};
-pub use record::{RecordError, RecordKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Feature, Name, Names, Search, TokenKind, Tokens, Version};
@@ -298,7 +284,7 @@ struct Checker<'a> {
     missing_precision: Vec<Base>,
     /// The last function in which a tree that is too deep was reported.
     deep_reported: Option<Option<FunctionRef>>,
-    outputs: Vec<output::OutputVariable>,
+    outputs: Vec<declarations::output::OutputVariable>,
     loops: Vec<LoopCheck>,
     private_size: u64,
     frag_color: Option<TokenId>,
