@@ -283,7 +283,7 @@ export const embedTests = [
   { name: 'embed: it plays only while it is visible', run: seen, context: desk },
   { name: 'embed: a simulation keeps its state', run: simulation },
   { name: 'embed: the still image stays if the context is lost before a frame', run: lostEarly, context: desk },
-  { name: 'embed: forty in one page are never black', run: forty, context: { viewport: { width: 440, height: 200 } } },
+  { name: 'embed: forty in one page are never black', only: 'heavy', run: forty, context: { viewport: { width: 440, height: 200 } } },
   { name: 'embed: the script and the style may be files', run: split },
   { name: 'gallery: it fits a desktop and is light', run: cards, context: { ...desk, colorScheme: 'light' } },
   { name: 'gallery: it fits a phone and is dark', run: cards, context: { ...phone, colorScheme: 'dark' } },
