@@ -190,14 +190,14 @@ fn exports() -> impl Strategy<Value = String> {
     })
 }
 
-/// Prints the seed, which is shown if a property fails.
-fn config() -> ProptestConfig {
+/// The configuration of a property with `cases` texts a round. Prints the seed, which is shown if it fails.
+fn config(cases: u32) -> ProptestConfig {
     let seed = std::env::var("SHADERLINT_SEED").map_or(1, |seed| seed.parse().unwrap());
     println!("SHADERLINT_SEED={seed}");
     let rounds = std::env::var("SHADERLINT_ROUNDS").map_or(1, |rounds| rounds.parse().unwrap());
     let failures = FileFailurePersistence::Direct("tests/properties.txt");
     ProptestConfig {
-        cases: 250 * rounds,
+        cases: cases * rounds,
         failure_persistence: Some(Box::new(failures)),
         rng_seed: RngSeed::Fixed(seed),
         ..ProptestConfig::default()
@@ -205,7 +205,7 @@ fn config() -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(config())]
+    #![proptest_config(config(250))]
 
     #[test]
     fn tokens_concatenate_to_the_text(text in prop_oneof![texts(), any::<String>()]) {
@@ -266,6 +266,11 @@ proptest! {
             prop_assert_eq!(again.map(|p| json(&p)), Ok(written));
         }
     }
+}
+
+proptest! {
+    // Each text is checked five times.
+    #![proptest_config(config(50))]
 
     /// Valid code stays valid, and repeating `--fix` changes nothing more.
     #[test]

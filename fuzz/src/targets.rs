@@ -62,31 +62,31 @@ pub const TARGETS: [Target; 12] = [
     Target {
         name: "check",
         texts: Texts::Broken,
-        round: 2_000,
+        round: 1_000,
         run: check_all,
     },
     Target {
         name: "edit",
         texts: Texts::Broken,
-        round: 500,
+        round: 150,
         run: crate::edit::answers,
     },
     Target {
         name: "link",
         texts: Texts::Broken,
-        round: 4_000,
+        round: 1_500,
         run: link_both,
     },
     Target {
         name: "fix",
         texts: Texts::Broken,
-        round: 600,
+        round: 250,
         run: fix,
     },
     Target {
         name: "port",
         texts: Texts::Broken,
-        round: 1_500,
+        round: 500,
         run: port,
     },
     Target {
@@ -104,7 +104,7 @@ pub const TARGETS: [Target; 12] = [
     Target {
         name: "draw",
         texts: Texts::Broken,
-        round: 2_000,
+        round: 800,
         run: run::agrees_with_itself,
     },
     Target {

@@ -310,19 +310,16 @@ fn unnecessarily_short_steps_are_lengthened() {
         ("t += 0.8 * d * 0.5;", "t += 2.0 * d * 0.5;"),
     ] {
         let scratch = with(PARAMETER, "t += d;", step, 3);
-        let ran = scratch.run(&[
-            "run", "a.glsl", "--size", "96x54", "--time", "1", "--report",
-        ]);
+        let report = || {
+            let size = ["--size", "96x54", "--time", "1", "--report"];
+            scratch.run(&[&["run", "a.glsl"], &size[..]].concat()).out
+        };
+        let out = report();
         let line = "steps could be 2.5 times as long: 6 instead of 15 iterations per ray";
-        assert!(ran.out.contains(line), "{step}: {}", ran.out);
+        assert!(out.contains(line), "{step}: {out}");
         let text = lint(&scratch);
         assert!(text.contains(fixed), "{step}: {text}");
-        assert!(
-            !scratch
-                .run(&["run", "a.glsl", "--report"])
-                .out
-                .contains("as long")
-        );
+        assert!(!report().contains("as long"));
     }
     assert!(lint(&with(POINT, "rd * d * 0.9", "rd * 0.5 * d", 0)).contains("p += rd * d;"));
 }
