@@ -42,18 +42,22 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
                 continue;
             }
             let own = std::mem::take(&mut comment);
-            if let (false, Some(name)) = (own.is_empty(), declared_in(line)) {
+            if !own.is_empty()
+                && let Some(name) = declared_in(line)
+            {
                 let own = own.trim().to_string();
                 preset.descriptions.insert(name.to_string(), own);
             }
             let is_end = is_theirs && word == "#endif";
             is_theirs |= word == SHADER_DECLARES;
-            preset.meanings.read(line, !is_theirs).map_err(wrong)?;
-            // The `// =` comments are not part of the prelude.
-            let code = line.split_once("// =").map(|(code, _)| code.trim_end());
+            // Meanings are not part of the prelude.
+            let code = preset.meanings.read(line, !is_theirs).map_err(wrong)?;
             match (is_theirs, code) {
                 (true, _) => preset.prelude.push('\n'),
-                (false, Some(code)) => preset.prelude.push_str(&format!("{code}\n")),
+                (false, Some(code)) => {
+                    preset.prelude.push_str(code.trim_end());
+                    preset.prelude.push('\n');
+                }
                 (false, None) => preset.prelude.push_str(line),
             }
             is_theirs &= !is_end;
@@ -63,7 +67,9 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
         preset.prelude.push('\n');
         let header = line.trim_start_matches("//").trim();
         // Sentences may contain colons: the facts start at the first key.
-        let fact = header.split_once(": ").filter(|(key, _)| match has_facts {
+        let split = header.split_once(':');
+        let fact = split.and_then(|(key, value)| Some((key, value.strip_prefix(' ')?)));
+        let fact = fact.filter(|(key, _)| match has_facts {
             true => is_key(key),
             false => KEYS.contains(key),
         });

@@ -229,6 +229,15 @@ struct HostDeclaration<'t> {
     name: &'t str,
 }
 
+/// The code before a `// =` comment, and what the comment says. All hosts are read for any shader with
+/// a uniform of its own, and a search for one character is the fastest.
+fn meaning_in(line: &str) -> Option<(&str, &str)> {
+    line.match_indices('=').find_map(|(at, _)| {
+        let code = line.get(..at)?.strip_suffix("// ")?;
+        Some((code, line.get(at + 1..)?))
+    })
+}
+
 impl Meanings {
     /// Adds the rows of the base. They are not evidence for this host.
     pub(super) fn inherit(&mut self, base: &Meanings) {
@@ -310,10 +319,15 @@ impl Meanings {
         all.next()
     }
 
-    /// Parses a line with a declaration and a `// =` comment; other lines are ignored.
-    pub(super) fn read(&mut self, line: &str, is_declared: bool) -> Result<(), String> {
-        let Some((code, meaning)) = line.split_once("// =") else {
-            return Ok(());
+    /// Reads a line with a declaration and a `// =` comment, and returns the declaration; ignores other
+    /// lines.
+    pub(super) fn read<'t>(
+        &mut self,
+        line: &'t str,
+        is_declared: bool,
+    ) -> Result<Option<&'t str>, String> {
+        let Some((code, meaning)) = meaning_in(line) else {
+            return Ok(None);
         };
         let Some(declared) = HostDeclaration::of(code) else {
             let what = "`// =` must follow the declaration of a single uniform or varying";
@@ -328,14 +342,15 @@ impl Meanings {
                 weight,
                 is_declared,
             });
-            return Ok(());
+            return Ok(Some(code));
         }
         let mut words = value.split(',').map(str::trim);
         let given = words.next().unwrap_or("");
         match declared.ty.contains("sampler") {
             true => self.texture(&declared, given, words, (weight, is_declared)),
             false => self.feed(declared, given, words, (weight, is_declared)),
-        }
+        }?;
+        Ok(Some(code))
     }
 
     fn feed<'w>(

@@ -9,15 +9,9 @@ use super::patterns::{Input, Pattern, examples, grown, listed, repeat, report};
 use shaderlint::engine::Options;
 use shaderlint::lint::sample::SampleLimit;
 
-/// Size of the larger text in bytes; the smaller one has an eighth of it. Larger texts detect weaker
-/// quadratic growth, and are for runs with several rounds.
-fn size() -> usize {
-    match std::env::var("SHADERLINT_ROUNDS").as_deref() {
-        Ok("1") | Err(_) => 4_000,
-        Ok(_) => 8_000,
-    }
-}
-
+/// Size of the larger text in bytes; the smaller one has an eighth of it. Larger texts detect
+/// weaker quadratic growth.
+const SIZE: usize = 8_000;
 /// Maximum ratio of the allocations for the larger text to eight times those for the smaller one: 1
 /// is linear, 8 is quadratic.
 const MAX_GROWTH: u64 = 3;
@@ -41,7 +35,7 @@ fn all_grow_in_line(patterns: &[Pattern]) {
         pixels: 64,
         insists: false,
     };
-    let problems = grown(patterns, size(), limit, growth);
+    let problems = grown(patterns, SIZE, limit, growth);
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
