@@ -708,6 +708,16 @@ fn out_of_bounds_texel_fetches_return_zero() {
     }
 }
 
+/// Browsers warn about code after the last return.
+#[test]
+fn functions_end_with_their_last_return() {
+    let text = wgsl(
+        "float f(float x) { if (x > 1.0) { return 1.0; } else if (x > 0.5) { return x; } return x * x; }\n\
+         void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x)); }",
+    );
+    assert!(!text.contains("return f32();"), "{text}");
+}
+
 /// Constant expressions that WGSL compilers would reject must not remain in the output.
 #[test]
 fn invalid_constant_expressions_are_evaluated_at_run_time() {

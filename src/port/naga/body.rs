@@ -145,7 +145,8 @@ impl<'l, 'p> Body<'l, 'p> {
 
     /// Whether the rest of the block is unreachable.
     pub(super) fn is_terminated(&self) -> bool {
-        self.block.last().is_some_and(|s| s.is_terminator())
+        let last = self.block.last();
+        last.is_some_and(|s| s.is_terminator() || returns(s))
     }
 
     /// Calls a function of the module.
@@ -222,5 +223,16 @@ impl<'l, 'p> Body<'l, 'p> {
         }
         let ty = self.lowerer.ty(ty)?;
         Ok(self.add(Expression::ZeroValue(ty)))
+    }
+}
+
+/// Whether a statement returns on all paths.
+fn returns(statement: &Statement) -> bool {
+    match statement {
+        Statement::Return { .. } => true,
+        Statement::If { accept, reject, .. } => [accept, reject]
+            .iter()
+            .all(|side| side.last().is_some_and(returns)),
+        _ => false,
     }
 }

@@ -210,8 +210,10 @@ async function kinds(context) {
 /** Slow frames, measured by the page's own clock, are reported, and a smaller scale is offered. */
 async function heavy(context) {
   await context.clock.install();
-  const { page } = await show(context, 'heavy', MOVING, '');
+  // It plays once its clock stands still.
+  const { page } = await show(context, 'heavy', MOVING, '#paused');
   await page.clock.pauseAt(Date.now() + 3600e3);
+  await page.click('#play');
   for (const each of [1 / 60, 0.3]) {
     for (let i = 0; i < 10; i++) await page.clock.fastForward(1000 * each);
     const words = await page.textContent('#notices');
