@@ -66,13 +66,7 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
         // The header becomes blank lines, so that line numbers are those of the file.
         preset.prelude.push('\n');
         let header = line.trim_start_matches("//").trim();
-        // Sentences may contain colons: the facts start at the first key.
-        let split = header.split_once(':');
-        let fact = split.and_then(|(key, value)| Some((key, value.strip_prefix(' ')?)));
-        let fact = fact.filter(|(key, _)| match has_facts {
-            true => is_key(key),
-            false => KEYS.contains(key),
-        });
+        let fact = fact_in(header, has_facts);
         has_facts |= fact.is_some();
         match fact {
             Some((key, value)) => {
@@ -81,14 +75,7 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
             }
             None if preset.title.is_empty() => preset.title = header.to_string(),
             None if header.is_empty() => ends_paragraph = true,
-            None => {
-                if !preset.about.is_empty() {
-                    let separator = if ends_paragraph { "\n\n" } else { " " };
-                    preset.about.push_str(separator);
-                }
-                ends_paragraph = false;
-                preset.about.push_str(header);
-            }
+            None => preset.describe(header, std::mem::take(&mut ends_paragraph)),
         }
     }
     preset.prelude.truncate(preset.prelude.trim_end().len());
@@ -137,12 +124,33 @@ const KEYS: [&str; 28] = [
     "programs",
 ];
 
+/// The key and the value in a line of the header. Sentences may contain colons: the facts start at the
+/// first known key.
+fn fact_in(header: &str, has_facts: bool) -> Option<(&str, &str)> {
+    let (key, value) = header.split_once(':')?;
+    let value = value.strip_prefix(' ')?;
+    let is_fact = match has_facts {
+        true => is_key(key),
+        false => KEYS.contains(&key),
+    };
+    is_fact.then_some((key, value))
+}
+
 /// Whether a word before a colon may be meant as a key.
 fn is_key(word: &str) -> bool {
     !word.is_empty() && word.chars().all(|c| c.is_ascii_lowercase())
 }
 
 impl Preset {
+    /// Adds a line to the description.
+    fn describe(&mut self, line: &str, starts_paragraph: bool) {
+        if !self.about.is_empty() {
+            let separator = if starts_paragraph { "\n\n" } else { " " };
+            self.about.push_str(separator);
+        }
+        self.about.push_str(line);
+    }
+
     /// Adds a line to those of the template; the last one completes it.
     fn read_template(
         &mut self,
