@@ -33,6 +33,12 @@ export async function alone(run, mayComplain = false) {
   if (!mayComplain) assert.deepEqual(all, []);
 }
 
+/** Drops the complaints of the running test so far, which are explained. */
+export function excuse() {
+  const told = surroundings.getStore();
+  if (told) told.complaints.length = 0;
+}
+
 const ARGS = [
   '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
   '--disable-gpu-watchdog', '--disable-background-timer-throttling', '--disable-renderer-backgrounding',
