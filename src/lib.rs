@@ -38,6 +38,7 @@ pub use shaderlint_lint as lint;
 pub use shaderlint_lsp as lsp;
 pub use shaderlint_play as play;
 pub use shaderlint_port as port;
+pub use shaderlint_project as project;
 pub use shaderlint_report as report;
 pub use shaderlint_rules as rules;
 pub use shaderlint_semantic as semantic;

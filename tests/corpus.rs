@@ -3,9 +3,11 @@
 //! `INSTA_UPDATE=always cargo test` accepts the current output.
 
 use super::recorded::stale;
-use shaderlint::engine::{NoFiles, Options, analyze, check};
+use shaderlint::engine::{Options, analyze, check};
 use shaderlint::ir::{print, verify};
-use shaderlint::port::{Project, compose, glsl};
+use shaderlint::port::glsl;
+use shaderlint::project::NoFiles;
+use shaderlint::project::{Project, compose};
 use shaderlint::report::render;
 use std::fs;
 use std::path::{Path, PathBuf};

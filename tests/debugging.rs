@@ -11,7 +11,7 @@ use shaderlint::dap::{Adapter, Launch, ProgramSource};
 use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::{CompileOptions, Replay, TracedValue, Watch, lane_of};
 use shaderlint::play::Decode;
-use shaderlint::port::{Project, add_stand_ins};
+use shaderlint::project::{Project, add_stand_ins};
 use shaderlint::semantic::VariableId;
 use std::collections::HashMap;
 use std::fs;

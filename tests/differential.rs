@@ -165,11 +165,11 @@ fn push_exports(folder: &Path, found: &mut Vec<(String, String)>) {
     };
     for path in entries.map(|e| e.unwrap().path()) {
         let text = fs::read_to_string(&path).unwrap();
-        let Ok(project) = shaderlint::port::Project::from_json(&text) else {
+        let Ok(project) = shaderlint::project::Project::from_json(&text) else {
             continue;
         };
         let common: String = project.commons().map(|p| format!("{}\n", p.code)).collect();
-        let is_common = |p: &shaderlint::port::ProjectPass| p.kind == Pass::Common;
+        let is_common = |p: &shaderlint::project::ProjectPass| p.kind == Pass::Common;
         for pass in project.passes.iter().filter(|p| !is_common(p)) {
             found.push((
                 format!("{} {}", path.display(), pass.name),

@@ -5,9 +5,10 @@
 //! `DIR/shadertoy`.
 
 use shaderlint::detect::kind::Claim;
-use shaderlint::engine::{NoFiles, Options, analyze, format};
+use shaderlint::engine::{Options, analyze, format};
 use shaderlint::format::{Brace, Indentation, Style};
 use shaderlint::ir::print;
+use shaderlint::project::NoFiles;
 use shaderlint::syntax::{RawKind, tokenize};
 use shaderlint::text::apply_edits;
 use std::fs;

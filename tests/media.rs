@@ -1,14 +1,16 @@
 //! The shaders that draw stand-ins for ShaderToy's media files.
 
 use super::tidy::files;
-use shaderlint::engine::{NoFiles, Options, check};
-use shaderlint::port::{Generator, OutputId, Project, add_stand_ins, html};
+use shaderlint::engine::{Options, check};
+use shaderlint::port::html;
+use shaderlint::project::NoFiles;
+use shaderlint::project::{Generator, OutputId, Project, add_stand_ins};
 use std::fs;
 
 /// One input for each of ShaderToy's files, one of each kind with an unknown file, and the screen of
 /// a host.
 fn inputs() -> Vec<String> {
-    let rows = fs::read_to_string("src/port/media/stock.rs").unwrap();
+    let rows = fs::read_to_string("src/project/media/stock.rs").unwrap();
     let files = rows.lines().filter_map(|line| {
         let (kind, rest) = line.split_once("file(")?.1.split_once(", [\"")?;
         Some((kind.to_lowercase(), rest.split('"').next()?.to_string()))
@@ -67,7 +69,7 @@ fn generators_have_no_findings() {
 #[test]
 fn every_generator_file_is_used() {
     let all: String = generators().iter().map(Generator::fragment).collect();
-    let found = files(&["src/port/media"], ".glsl");
+    let found = files(&["src/project/media"], ".glsl");
     assert!(found.len() > 30, "{} files", found.len());
     for (path, text) in found {
         let lines = text.lines().map(str::trim);
@@ -78,7 +80,7 @@ fn every_generator_file_is_used() {
 
 #[test]
 fn font_stroke_offsets_match_the_table() {
-    let text = fs::read_to_string("src/port/media/textures/font.glsl").unwrap();
+    let text = fs::read_to_string("src/project/media/textures/font.glsl").unwrap();
     let (strokes, rest) = text.split_once("\n);\n").unwrap();
     let lines = strokes.lines().filter(|l| l.starts_with("    0x"));
     let mut begin = vec![0];

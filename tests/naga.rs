@@ -10,8 +10,9 @@ use shaderlint::port::naga::{
     FirstRow, LowerOptions, Lowered, Refused, Repeated, TargetLanguage, lower, translate, write,
 };
 use shaderlint::port::{
-    Destination, MainChoice, Order, Project, Target, complete_shaders, compose, translate_shaders,
+    Destination, MainChoice, Order, Target, complete_shaders, translate_shaders,
 };
+use shaderlint::project::{Project, compose};
 use shaderlint::semantic::{Completeness, Dialect, Stage, Unit};
 use shaderlint::text::{Role, Sources};
 use std::fs;

@@ -3,8 +3,9 @@
 
 use super::pages::choice;
 use shaderlint::diagnostic::{Applicability, Diagnostic, Fix, Severity};
-use shaderlint::engine::{NoFiles, Options, Report, check};
+use shaderlint::engine::{Options, Report, check};
 use shaderlint::lint::{FenceKind, Page, Settings};
+use shaderlint::project::NoFiles;
 use shaderlint::rules::RULES;
 use shaderlint::text::apply_edits;
 use std::fs;

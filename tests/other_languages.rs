@@ -1,8 +1,9 @@
 //! Mistakes inside expressions and constructs of other languages: each is a single error, and its
 //! fix produces the intended code.
 
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
+use shaderlint::engine::{DialectChoice, Options, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
+use shaderlint::project::NoFiles;
 use shaderlint::rules::RULES;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nuniform sampler2D tex;\nuniform float time;\n\

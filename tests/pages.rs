@@ -7,12 +7,13 @@
 use super::recorded::stale;
 use super::tidy::files;
 use shaderlint::diagnostic::{Diagnostic, ERRORS};
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check, fix_text};
+use shaderlint::engine::{DialectChoice, Options, check, fix_text};
 use shaderlint::host::{Feed, Limit, presets};
 use shaderlint::lint::sample::{INSTANTS, SIZE, SampleLimit};
 use shaderlint::lint::{
     Allow, Check, Fence, FenceKind, Page, Renderer, Rule, RulePreset, Settings,
 };
+use shaderlint::project::NoFiles;
 use shaderlint::report::render;
 use shaderlint::rules::{RULES, error_page};
 use shaderlint::semantic::{GuessedKind, guess};

@@ -6,9 +6,11 @@
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, Report, Unread, check, fix_text};
+use shaderlint::engine::{DialectChoice, Options, Report, Unread, check, fix_text};
 use shaderlint::lint::{Allow, Settings};
-use shaderlint::port::{Project, json};
+use shaderlint::port::json;
+use shaderlint::project::NoFiles;
+use shaderlint::project::Project;
 use shaderlint::rules::RULES;
 use shaderlint::syntax::tokenize;
 use shaderlint::text::{Role, Sources};

@@ -3,10 +3,11 @@
 //! `SHADERLINT_CASES=DIR cargo test --test all renaming` also reads the ShaderToy exports in
 //! `DIR/shadertoy`; `SHADERLINT_RENAMED=N` renames N names of each file instead of four.
 
-use shaderlint::engine::{NoFiles, Options, analyze};
+use shaderlint::engine::{Options, analyze};
 use shaderlint::ide::{Document, NameUse, may_rename, rename};
 use shaderlint::ir::print;
 use shaderlint::lint::Settings;
+use shaderlint::project::NoFiles;
 use shaderlint::text::apply_edits;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -3,7 +3,7 @@
 use shaderlint::commands::run::{Loaded, ObservedRays, ShotSetting, shot};
 use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::{TracedValue, Watch};
-use shaderlint::port::{Project, add_stand_ins};
+use shaderlint::project::{Project, add_stand_ins};
 use std::fs;
 use std::path::Path;
 

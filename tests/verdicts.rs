@@ -6,8 +6,9 @@
 
 use super::recorded::accepts;
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
+use shaderlint::engine::{DialectChoice, Options, check};
 use shaderlint::lint::Settings;
+use shaderlint::project::NoFiles;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -4,10 +4,11 @@
 mod voxel;
 
 use shaderlint::engine::inputs::{Moment, Scene};
-use shaderlint::engine::{Analysis, NoFiles, Options, analyze};
+use shaderlint::engine::{Analysis, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, draw, quads_all_over, sample};
 use shaderlint::ir::lower;
 use shaderlint::play::RenderedImage;
+use shaderlint::project::NoFiles;
 use std::hint::black_box;
 use std::time::Instant;
 

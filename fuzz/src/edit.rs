@@ -1,12 +1,13 @@
 //! Requests of editors, on texts that are being edited.
 
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{NoFiles, Options};
+use shaderlint::engine::Options;
 use shaderlint::ide::{
     Document, HintOptions, OutlineItem, actions, call_item, colors, complete, declaration,
     definition, folds, highlights, hints, hover, incoming, lenses, may_rename, outgoing, outline,
     presentations, references, rename, selection, semantic_tokens, signature_help, type_definition,
 };
+use shaderlint::project::NoFiles;
 use shaderlint::syntax::{Version, WordClass, classify};
 use shaderlint::text::{Span, apply_edits};
 use std::sync::Arc;

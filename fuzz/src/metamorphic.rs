@@ -3,8 +3,9 @@
 
 use crate::mutate::Random;
 use shaderlint::engine::inputs::{Moment, Scene};
-use shaderlint::engine::{Analysis, NoFiles, Options, analyze};
+use shaderlint::engine::{Analysis, Options, analyze};
 use shaderlint::exec::{CompileOptions, sample};
+use shaderlint::project::NoFiles;
 use shaderlint::semantic::{Dialect, Program};
 use shaderlint::syntax::ast::{
     DeclKind, Declarator, ExprKind, Extent, FunctionDecl, QualifierKind, Stmt, StmtKind,

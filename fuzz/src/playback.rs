@@ -4,7 +4,7 @@ use serde_json::json;
 use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::{CompileOptions, ErrorDirection, FaultKind, GpuProfile, Watch};
 use shaderlint::play::{PlaybackOptions, Played, Player, RenderedImage};
-use shaderlint::port::{Composed, Project, add_stand_ins};
+use shaderlint::project::{Composed, Project, add_stand_ins};
 use std::{fs, thread};
 
 /// Size of a frame, in pixels.

@@ -3,9 +3,10 @@
 use crate::builtins::CASES;
 use crate::compute::{Computing, compute};
 use shaderlint::engine::inputs::{Moment, Scene};
-use shaderlint::engine::{Analysis, DialectChoice, NoFiles, Options, analyze};
+use shaderlint::engine::{Analysis, DialectChoice, Options, analyze};
 use shaderlint::exec::{CompileOptions, Draw, Watch, compile, draw, sample};
 use shaderlint::lint::Settings;
+use shaderlint::project::NoFiles;
 
 /// Size of a program's image, in pixels.
 const SIZE: [u32; 2] = [8, 8];

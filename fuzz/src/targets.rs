@@ -5,12 +5,14 @@ use crate::mutate::{Random, split};
 use crate::{pairs, run};
 use shaderlint::diagnostic::{Diagnostic, Severity};
 use shaderlint::engine::{
-    Analysis, Completeness, DialectChoice, NoFiles, Options, Report, analyze, check, fix_text,
+    Analysis, Completeness, DialectChoice, Options, Report, analyze, check, fix_text,
 };
 use shaderlint::format::{Brace, Indentation, Lines, Style, TextExtent, format};
 use shaderlint::ir::{print, verify};
 use shaderlint::lint::{Allow, Settings};
-use shaderlint::port::{Project, compose, glsl, html};
+use shaderlint::port::{glsl, html};
+use shaderlint::project::NoFiles;
+use shaderlint::project::{Project, compose};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;

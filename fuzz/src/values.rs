@@ -6,7 +6,7 @@ use shaderlint::commands::run::{
 };
 use shaderlint::engine::inputs::Moment;
 use shaderlint::exec::Watch;
-use shaderlint::port::Project;
+use shaderlint::project::Project;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{fs, thread};
 

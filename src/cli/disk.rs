@@ -1,6 +1,6 @@
 //! Implements [`Files`] for the file system.
 
-use crate::engine::{FileType, Files, LoadError, MAX_LOADED};
+use crate::project::{FileType, Files, LoadError, MAX_LOADED};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;

@@ -1,7 +1,7 @@
 //! Decodes image files: textures of channels and golden images.
 
 use crate::play::Decoded;
-use crate::port::kind_of_bytes;
+use crate::project::kind_of_bytes;
 use std::io::Cursor;
 use zune_core::bytestream::ZCursor;
 use zune_core::colorspace::ColorSpace;

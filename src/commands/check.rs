@@ -3,8 +3,9 @@
 use super::reading::{Recognition, reading};
 use super::scope::scope_of;
 use shaderlint_diagnostic::{Diagnostic, Severity};
-use shaderlint_engine::{Files, Offer, Options, Report, check_content};
+use shaderlint_engine::{Offer, Options, Report, check_content};
 use shaderlint_lint::Settings;
+use shaderlint_project::Files;
 use shaderlint_report::{Reporter, Scope};
 use shaderlint_text::{Content, Encoding};
 use std::collections::HashSet;

@@ -3,7 +3,7 @@
 use shaderlint_engine::{Completeness, Options, Report, Shader};
 use shaderlint_host::shadertoy;
 use shaderlint_lint::SkippedRules;
-use shaderlint_port::{Clues, Recognised, SiblingTexts, recognise};
+use shaderlint_project::{Clues, Recognised, SiblingTexts, recognise};
 use shaderlint_report::ReadAs;
 use shaderlint_semantic::Stage;
 use std::path::Path;

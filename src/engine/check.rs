@@ -1,7 +1,6 @@
 //! Checks the text of one file: splits it into shaders, and runs the stages over them.
 
 use crate::check_context::{CheckContext, Keep};
-use crate::files::Files;
 use crate::findings::report::Report;
 use crate::findings::stage::{FileCheck, FindingStage, ShaderCheck, Unresolved};
 use crate::findings::{STAGES, partner};
@@ -17,6 +16,7 @@ use shaderlint_detect::kind::{Evidence, FileKind, decide};
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_lint::{Allows, CheckedSpans, SkippedRules};
+use shaderlint_project::Files;
 use shaderlint_semantic::Completeness;
 use shaderlint_text::{Content, Encoding, FileId, Role, Sources, Span};
 use std::sync::Arc;
@@ -25,7 +25,8 @@ use std::sync::Arc;
 /// resolved in its folder.
 ///
 /// ```
-/// use shaderlint_engine::{NoFiles, Options, check};
+/// use shaderlint_engine::{Options, check};
+/// use shaderlint_project::NoFiles;
 ///
 /// let text = "void mainImage(out vec4 color, in vec2 place) {\n    color = vec3(1.0);\n}\n";
 /// let report = check("image.glsl", text, &Options::default(), &NoFiles);

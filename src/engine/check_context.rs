@@ -1,7 +1,7 @@
 //! The environment of a check: options and files.
 
-use crate::files::{Dependency, Files};
 use crate::options::Options;
+use shaderlint_project::{FileAccess, Files};
 
 /// What is kept of a checked shader.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -41,9 +41,8 @@ impl<'a> CheckContext<'a> {
         }
     }
 
-    /// Whether the file of this name is checked in the same run.
-    pub fn is_checked(&self, name: &str) -> bool {
-        self.files.depends_on(Dependency::Checked(name));
-        self.options.checked.contains(name)
+    /// What the files around a shader are found with.
+    pub fn file_access(&self) -> FileAccess<'a> {
+        self.options.file_access(self.files)
     }
 }

@@ -8,11 +8,9 @@
 mod check;
 mod check_context;
 pub mod config;
-mod files;
 mod findings;
 mod fix;
 mod hosts;
-mod include;
 pub mod inputs;
 mod options;
 mod repair;
@@ -20,8 +18,6 @@ mod shader;
 mod text;
 
 pub use check::{analyze, check, check_content};
-pub use files::file_cache::FileCache;
-pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use findings::partner::program_name;
 pub use findings::report::Report;
 pub use fix::fix_text::fix_text;
@@ -29,8 +25,7 @@ pub use fix::format::{Formatting, format};
 pub use fix::modernize::modernize;
 pub use fix::offer::Offer;
 pub use fix::verify::{Original, Verified, equal, verify};
-pub use include::{Absence, FileMoves, MissingInclude, moved_includes};
-pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Includes, Options};
+pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
 pub use repair::{Repairs, repair, repairable};
 pub use shader::analysis::Analysis;
 pub use shader::shader_input::Shader;
@@ -40,6 +35,7 @@ pub use text::split::Unread;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_project::NoFiles;
     use std::collections::BTreeMap;
     use std::path::PathBuf;
     use std::sync::Arc;

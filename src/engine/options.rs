@@ -1,14 +1,13 @@
 //! The options of a check: dialect, rules, host, includes.
 
-use crate::files::file_cache::FileCache;
 use shaderlint_detect::kind::Claim;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
+use shaderlint_project::{FileAccess, FileCache, Files, Includes};
 use shaderlint_rules::RULES;
 #[cfg(feature = "cli")]
 use shaderlint_syntax::Version;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The options of a check.
@@ -70,6 +69,18 @@ impl Options {
         format!("{dialect:?} {settings:?} {host:?} {includes:?} {desktop:?} {claim:?}")
     }
 
+    /// What the files around a shader are found with.
+    pub fn file_access<'a>(&'a self, files: &'a dyn Files) -> FileAccess<'a> {
+        FileAccess {
+            files,
+            includes: &self.includes,
+            cache: &self.file_cache,
+            host: self.host.preset,
+            may_be_passes: matches!(self.dialect, DialectChoice::Auto | DialectChoice::Shadertoy),
+            checked: &self.checked,
+        }
+    }
+
     /// What the user declares about the file.
     pub(super) fn claimed(&self) -> Claim {
         match self.claim {
@@ -77,18 +88,6 @@ impl Options {
             claim => claim,
         }
     }
-}
-
-/// How includes are resolved.
-#[derive(Clone, Default, Debug)]
-pub struct Includes {
-    /// The absolute folder that includes may not leave, without symbolic links; empty for no limit.
-    pub root: PathBuf,
-    /// Folders that a leading `/` may refer to, nearest first.
-    pub tops: Vec<PathBuf>,
-    /// Folders that are searched after the folder of the file: `include_roots` of the
-    /// configuration.
-    pub roots: Vec<PathBuf>,
 }
 
 /// The dialect of shaders.

@@ -2,7 +2,7 @@
 
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity};
 use shaderlint_lint::{Allow, Fixed, Look, fix, without_images};
-use shaderlint_port::{Composed, Project, add_repairs, compose};
+use shaderlint_project::{Composed, Project, add_repairs, compose};
 use shaderlint_text::{Role, SourceFile, Sources, Span};
 use std::sync::Arc;
 

@@ -2,8 +2,9 @@
 
 use super::document::Document;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Origin};
-use shaderlint_engine::{Files, fix_text};
+use shaderlint_engine::fix_text;
 use shaderlint_lint::Allow;
+use shaderlint_project::Files;
 use shaderlint_text::{Edit, LineIndex, Span};
 
 /// A code action.

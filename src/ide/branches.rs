@@ -5,7 +5,7 @@
 
 use super::document::Document;
 use super::index::is_inactive;
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{
     BranchId, ConditionalDirective, ConditionalGroups, GroupBranch, MacroTestKind, RawItem,

@@ -2,10 +2,9 @@
 
 use super::index::{Index, Occurrence};
 use super::symbol::{Symbol, declared_at};
-use shaderlint_engine::{
-    Analysis, FileType, Files, LoadError, Options, Report, analyze, program_name,
-};
+use shaderlint_engine::{Analysis, Options, Report, analyze, program_name};
 use shaderlint_lint::Settings;
+use shaderlint_project::{FileType, Files, LoadError};
 use shaderlint_semantic::{Dialect, Program, Stage, Storage};
 use shaderlint_text::Span;
 use std::collections::BTreeMap;

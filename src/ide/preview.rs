@@ -3,7 +3,7 @@
 use super::document::Document;
 use shaderlint_detect::kind::file_extension;
 use shaderlint_engine::Analysis;
-use shaderlint_port::{Project, ShaderError};
+use shaderlint_project::{Project, ShaderError};
 use shaderlint_semantic::Stage;
 
 /// The shader that a preview of a document shows: the one at an offset, or the first that can be

@@ -3,7 +3,7 @@
 use super::document::{Document, Spot};
 use super::library::entry;
 use super::symbol::{parameters, typed};
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_semantic::builtins::{Builtins, Overload};
 use shaderlint_semantic::{Program, Type};
 use shaderlint_syntax::{RawKind, RawToken, TokenKind, tokenize};

@@ -1,8 +1,9 @@
 //! Tests with a marker `|` in the text for the position.
 
 use super::*;
-use shaderlint_engine::{NoFiles, Options};
+use shaderlint_engine::Options;
 use shaderlint_lint::Settings;
+use shaderlint_project::NoFiles;
 use shaderlint_semantic::VariableId;
 use shaderlint_text::{Span, apply_edits};
 use std::sync::Arc;

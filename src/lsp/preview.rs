@@ -8,10 +8,11 @@ use gen_lsp_types::{Position, Range, Uri, WorkspaceEdit};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use shaderlint_diagnostic::Severity;
-use shaderlint_engine::{FileType, Files};
 use shaderlint_host::shadertoy;
 use shaderlint_ide::{self as ide, Document, ShownValue};
-use shaderlint_port::{Composed, PassFile, PassRole, Project, add_stand_ins, html};
+use shaderlint_port::html;
+use shaderlint_project::{Composed, PassFile, PassRole, Project, add_stand_ins};
+use shaderlint_project::{FileType, Files};
 use shaderlint_semantic::Pass;
 use std::path::{Path, PathBuf};
 
@@ -156,7 +157,7 @@ fn shown_project(
         .as_ref()
         .map_or(&*document, |(value, _)| &value.document);
     let DraftedProject { mut project, path } = draft(snapshot, document, shader)?;
-    let wrong = |error: shaderlint_port::ShaderError| Failure::refused(error.to_string());
+    let wrong = |error: shaderlint_project::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
     if !project.passes.iter().any(|pass| draws(pass.kind)) {

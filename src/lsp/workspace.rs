@@ -1,12 +1,13 @@
 //! What the server requires from its environment.
 
 use gen_lsp_types::Uri;
+use shaderlint_engine::Options;
 use shaderlint_engine::config::{
     ConfigArgs, ConfigProblem, ConfigSource, Configs, Exclusion, LastGood, ProjectLimit, Selection,
 };
-use shaderlint_engine::{Files, Options};
 use shaderlint_format::StyleChoice;
-use shaderlint_port::Project;
+use shaderlint_project::Files;
+use shaderlint_project::Project;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

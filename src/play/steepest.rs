@@ -416,8 +416,9 @@ fn length(a: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shaderlint_engine::{DialectChoice, NoFiles, Options, analyze};
+    use shaderlint_engine::{DialectChoice, Options, analyze};
     use shaderlint_lint::Settings;
+    use shaderlint_project::NoFiles;
 
     /// The steepest slope of `map`, given by its body, that was sampled.
     fn sampled(body: &str) -> f64 {

@@ -7,9 +7,9 @@
 use super::Composed;
 use super::naga::{FirstRow, HostInterface, Refused, TargetLanguage, TranslatedShader, translate};
 use super::payload::{PassData, passes};
-use super::project::Project;
-use super::{InputKind, VaryingValue};
 use serde::Serialize;
+use shaderlint_project::Project;
+use shaderlint_project::{InputKind, VaryingValue};
 use shaderlint_semantic::{Pass, Stage};
 use std::fmt::Write;
 

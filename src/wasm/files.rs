@@ -1,6 +1,6 @@
 //! Files in memory.
 
-use shaderlint_engine::{FileType, Files, LoadError};
+use shaderlint_project::{FileType, Files, LoadError};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard};

@@ -10,8 +10,9 @@ use shaderlint_engine::config::{Selection, options};
 use shaderlint_engine::{Analysis, Report, analyze};
 use shaderlint_ide::{FrameCost, frame_cost};
 use shaderlint_port::naga::FirstRow;
-use shaderlint_port::{Composed, Destination, MainChoice, Order, Target};
+use shaderlint_port::{Destination, MainChoice, Order, Target};
 use shaderlint_port::{build, player_data as data_of};
+use shaderlint_project::Composed;
 use shaderlint_semantic::{Dialect, Pass};
 use std::path::Path;
 

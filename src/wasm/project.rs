@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use shaderlint_commands::run::Loaded;
 use shaderlint_detect::kind::{Claim, FileKind, decide};
-use shaderlint_port::{ChannelOrder, Composed, PassFile, PassRole, Project, add_stand_ins};
+use shaderlint_project::{ChannelOrder, Composed, PassFile, PassRole, Project, add_stand_ins};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -9,8 +9,9 @@ mod repetitions;
 use counting::{Asked, Counting, asked};
 use shaderlint::cli::STACK;
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
+use shaderlint::engine::{DialectChoice, Options, check};
 use shaderlint::lint::Settings;
+use shaderlint::project::NoFiles;
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 

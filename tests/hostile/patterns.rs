@@ -2,9 +2,10 @@
 //! every example of every page.
 
 use shaderlint::cli::STACK;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
+use shaderlint::engine::{DialectChoice, Options, check};
 use shaderlint::lint::sample::SampleLimit;
 use shaderlint::lint::{FenceKind, Page, Settings};
+use shaderlint::project::NoFiles;
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use std::fs;

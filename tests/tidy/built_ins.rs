@@ -18,7 +18,7 @@ const BELOW: &[&str] = &[
 ];
 
 /// Folders where the same words are wrap modes, kinds of inputs, or functions of other languages.
-const HOMONYMS: &[&str] = &["src/cli/", "src/play/", "src/port/"];
+const HOMONYMS: &[&str] = &["src/cli/", "src/play/", "src/port/", "src/project/"];
 
 /// Words that mean something else, by file. This list must only become shorter.
 const ALLOWED: &[(&str, &[&str])] = &[

@@ -78,10 +78,10 @@ fn every_kind_of_type_declaration_is_found() {
 
 /// Files and folders that still identify hosts by name. This list must only become shorter.
 const NAME_HOSTS: &[&str] = &[
-    "src/engine/files/scan.rs",
-    "src/engine/include/find.rs",
-    "src/engine/include/mod.rs",
-    "src/port/dialect/",
+    "src/project/files/scan.rs",
+    "src/project/include/find.rs",
+    "src/project/include/mod.rs",
+    "src/project/dialect/",
     // The name of a canvas context is also the name of a host.
     "src/detect/embed/context.rs",
     "src/detect/embed/embedder.rs",

@@ -3,9 +3,10 @@
 use crate::scratch::Scratch;
 use insta_cmd::get_cargo_bin;
 use shaderlint::diagnostic::Severity;
-use shaderlint::engine::{DialectChoice, NoFiles, Options, check};
+use shaderlint::engine::{DialectChoice, Options, check};
 use shaderlint::host::{Preset, preset, presets};
 use shaderlint::lint::Settings;
+use shaderlint::project::NoFiles;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

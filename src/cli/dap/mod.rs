@@ -7,7 +7,7 @@ use crate::commands::run::{Loaded, position};
 use crate::dap::{Adapter, Launch, ProgramSource};
 use crate::diagnostic::Severity;
 use crate::play::Decode;
-use crate::port::Composed;
+use crate::project::Composed;
 use crate::text::path::slashed;
 use serde_json::Value;
 use std::io::{self, Write};

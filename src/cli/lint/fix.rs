@@ -4,8 +4,9 @@ use super::super::input::InputFile;
 use super::super::output::{diff, replace};
 use super::args::CheckArgs;
 use crate::diagnostic::Diagnostic;
-use crate::engine::{Files, Options, fix_text};
+use crate::engine::{Options, fix_text};
 use crate::lint::{Allow, Proof};
+use crate::project::Files;
 use crate::text::{Content, Encoding, Span};
 
 /// Where fixes are written, and which are allowed.

@@ -1,8 +1,9 @@
 //! `ir`: prints the IR of a shader, for work on the analyses.
 
 use super::super::command::{CLEAN, FAILED, complain};
-use crate::engine::{NoFiles, Options, analyze};
+use crate::engine::{Options, analyze};
 use crate::ir::{print, verify};
+use crate::project::NoFiles;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;

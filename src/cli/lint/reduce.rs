@@ -3,8 +3,9 @@
 use super::super::command::{CLEAN, FAILED, complain};
 use super::super::output::{self, Overwrite};
 use crate::diagnostic::Severity;
-use crate::engine::{DialectChoice, NoFiles, Options, check};
+use crate::engine::{DialectChoice, Options, check};
 use crate::lint::{Settings, rule_name};
+use crate::project::NoFiles;
 use crate::rules::{RULES, page};
 use crate::syntax::reduce;
 use std::collections::BTreeSet;

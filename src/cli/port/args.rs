@@ -4,7 +4,8 @@ use super::read;
 use crate::cli::output::Overwrite;
 #[cfg(feature = "naga")]
 use crate::port::naga::FirstRow;
-use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, SliderChoice, Target};
+use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, Target};
+use crate::project::SliderChoice;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};

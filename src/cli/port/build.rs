@@ -14,7 +14,8 @@ use crate::engine::{Original, Repairs, Verified, repairable, verify};
 use crate::exec::Equality;
 #[cfg(feature = "naga")]
 use crate::port::channels_to_set;
-use crate::port::{Composed, File, Poster, Project, Target, build, missing, slider_notes};
+use crate::port::{File, Poster, Target, build, slider_notes};
+use crate::project::{Composed, Project, missing};
 use crate::report::{Format, Reporter};
 use std::io::{self, Write};
 use std::path::PathBuf;

@@ -6,7 +6,7 @@
 
 use super::read::read_text;
 use super::siblings::folder_of;
-use crate::port::{ChannelOrder, ChannelSource, PassRole};
+use crate::project::{ChannelOrder, ChannelSource, PassRole};
 use crate::text::LineIndex;
 use crate::text::path::slashed;
 use std::fs;
@@ -131,7 +131,7 @@ fn placed(mut order: ChannelOrder, by: &Path) -> Result<ChannelOrder, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::port::ChannelName;
+    use crate::project::ChannelName;
 
     /// The orders in a file, or the error without the file name.
     fn read(text: &str) -> Result<Vec<ChannelOrder>, String> {

@@ -9,7 +9,7 @@ use crate::cli::config::{configured_host, host_of};
 use crate::detect::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
 use crate::engine::{Repairs, modernize, repair};
 use crate::host::{Preset, shadertoy};
-use crate::port::{
+use crate::project::{
     ChannelName, ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts,
     add_stand_ins, saver_roles, unknown_pass, unknown_source,
 };

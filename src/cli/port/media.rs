@@ -1,7 +1,7 @@
 //! Media files for channels, embedded in the output.
 
 use super::read::{plain_error, read_media, size_words};
-use crate::port::{
+use crate::project::{
     ChannelOrder, InputKind, Media, OutputId, Project, kind_of_bytes, kind_of_name, why_not,
 };
 use crate::text::path::slashed;

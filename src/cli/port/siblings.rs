@@ -2,7 +2,7 @@
 
 use super::read::read_text;
 use crate::cli::config::project_root;
-use crate::port::{Project, SiblingTexts};
+use crate::project::{Project, SiblingTexts};
 use crate::text::path::slashed;
 use std::path::{Path, PathBuf};
 

@@ -8,7 +8,8 @@ use crate::commands::run::Bitmap;
 use crate::engine::inputs::Moment;
 use crate::exec::{CompileOptions, Drawn};
 use crate::play::{PlaybackOptions, Played, Player, RenderedImage};
-use crate::port::{Composed, Project, Still};
+use crate::port::Still;
+use crate::project::{Composed, Project};
 use std::collections::HashSet;
 
 /// The sizes of the image: the largest within the budget and the file size.

@@ -8,7 +8,8 @@ use super::save::save;
 use super::serve::PageServer;
 use crate::cli::output::Overwrite;
 use crate::cli::watch::{Stamp, wait};
-use crate::port::{ChannelSource, Target, waiting_page};
+use crate::port::{Target, waiting_page};
+use crate::project::ChannelSource;
 use std::path::PathBuf;
 use std::time::SystemTime;
 

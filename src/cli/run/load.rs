@@ -6,7 +6,7 @@ use crate::cli::port;
 use crate::commands::run::Loaded;
 use crate::diagnostic::Severity;
 use crate::engine::{Options, check};
-use crate::port::{Composed, add_stand_ins};
+use crate::project::{Composed, add_stand_ins};
 use crate::report::{Format, Reporter};
 use crate::text::path::slashed;
 use std::io;

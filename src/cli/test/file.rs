@@ -11,7 +11,7 @@ use crate::detect::kind::{FileKind, decide};
 use crate::diagnostic::Severity;
 use crate::engine::{Analysis, Completeness, Options, Report, analyze};
 use crate::play::Coverage;
-use crate::port::PassRole;
+use crate::project::PassRole;
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::text::Role;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -7,7 +7,7 @@ use crate::commands::run::{ObservedRays, ShotSetting, shot};
 use crate::engine::inputs::Moment;
 use crate::exec::{Filter, Image, ImageShape, Sampling, Texels, Texture, Watch, Wrap};
 use crate::play::{RenderedImage, TextureMark};
-use crate::port::{ChannelOrder, ChannelSource};
+use crate::project::{ChannelOrder, ChannelSource};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

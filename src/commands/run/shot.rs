@@ -13,7 +13,7 @@ use shaderlint_ir::Module;
 use shaderlint_lint::march::slope_probe;
 use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_play::{PlaybackOptions, Player};
-use shaderlint_port::{Composed, PassUnit, Project, Wrapper, missing};
+use shaderlint_project::{Composed, PassUnit, Project, Wrapper, missing};
 use shaderlint_semantic::{Pass, Program, Stage, Storage};
 use shaderlint_text::Sources;
 use std::sync::atomic::AtomicBool;

@@ -7,7 +7,7 @@ use super::setting::Show;
 use shaderlint_exec::{Bytecode, Drawn, Probe};
 use shaderlint_ir::{Module, OpId, OpKind};
 use shaderlint_play::RenderedImage;
-use shaderlint_port::{Composed, PassUnit};
+use shaderlint_project::{Composed, PassUnit};
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_text::{SourceFile, Span};
 use std::collections::BTreeSet;

@@ -5,7 +5,7 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_engine::inputs::{GivenUniforms, Moment, player_draw};
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, DrawInputs, compile};
 use shaderlint_ir::{Module, lower};
-use shaderlint_port::{Composed, PassUnit, Wrapper, compose};
+use shaderlint_project::{Composed, PassUnit, Wrapper, compose};
 use shaderlint_semantic::Program;
 use shaderlint_text::Span;
 use std::sync::Arc;

@@ -4,8 +4,8 @@
 use super::layer::Config;
 #[cfg(feature = "cli")]
 use super::read::parse;
-use crate::files::Files;
 use crate::options::HostNames;
+use shaderlint_project::Files;
 use shaderlint_text::path::plain;
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};

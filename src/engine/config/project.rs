@@ -1,7 +1,7 @@
 //! The project that contains a file, which limits what its shaders may include.
 
 use super::load::FILE;
-use crate::files::{FileType, Files};
+use shaderlint_project::{FileType, Files};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};

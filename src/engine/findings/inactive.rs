@@ -149,7 +149,8 @@ fn is_inactive(program: &Program, span: Span) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::{NoFiles, Options, check};
+    use crate::{Options, check};
+    use shaderlint_project::NoFiles;
 
     /// The lines and last notes of the warnings about excluded code.
     fn found(text: &str) -> Vec<(u32, String)> {

@@ -44,7 +44,7 @@ fn find(name: &str, context: CheckContext) -> Option<(String, Arc<str>)> {
     let (other, stage) = counterpart(name)?;
     // The fragment shader's check links both, but both must be known to convert one.
     let converts = context.options.settings.target_version().is_some();
-    if stage == Stage::Vertex && context.is_checked(&other) && !converts {
+    if stage == Stage::Vertex && context.file_access().is_checked(&other) && !converts {
         return None;
     }
     let text = context.files.load(Path::new(&other)).ok()?;
@@ -123,7 +123,7 @@ impl<'n> StageName<'n> {
 /// Whether both stages are linked in the check of the other file, in the same run.
 fn is_linked_there(name: &str, context: CheckContext) -> bool {
     let other = counterpart(name).filter(|(_, stage)| *stage == Stage::Vertex);
-    other.is_some_and(|(other, _)| context.is_checked(&other))
+    other.is_some_and(|(other, _)| context.file_access().is_checked(&other))
 }
 
 /// Reads the other stage of a shader file, if there is one.

@@ -3,7 +3,6 @@
 use super::report::Report;
 use crate::check_context::CheckContext;
 use crate::hosts::host::Hosts;
-use crate::include::Hushed;
 use crate::options::Options;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::kind::FileKind;
@@ -11,6 +10,7 @@ use shaderlint_diagnostic::{Applicability, Diagnostic};
 use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_lint::{Allows, CachedFacts, SkippedRules};
+use shaderlint_project::Hushed;
 use shaderlint_text::{Encoding, Sources, Span};
 use std::collections::BTreeSet;
 use std::sync::Arc;

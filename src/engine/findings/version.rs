@@ -66,8 +66,9 @@ pub fn lower_reserved_words(shader: &mut ShaderCheck) {
 
 #[cfg(test)]
 mod tests {
-    use crate::{NoFiles, Options, check};
+    use crate::{Options, check};
     use shaderlint_diagnostic::{Severity, error};
+    use shaderlint_project::NoFiles;
 
     #[track_caller]
     fn reserved_word(head: &str, word: &str) -> Severity {

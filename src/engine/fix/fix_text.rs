@@ -3,12 +3,12 @@
 use super::look::look;
 use super::verify::equal;
 use crate::check_context::CheckContext;
-use crate::files::Files;
 use crate::findings::report::Report;
 use crate::options::Options;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_exec::Equality;
 use shaderlint_lint::{Allow, Fixed, Look, Proof, Shown, fix};
+use shaderlint_project::Files;
 use shaderlint_semantic::{Dialect, Pass, Program};
 
 /// Number of instructions that may run to compare images of a text.
@@ -91,9 +91,9 @@ impl Report {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::NoFiles;
     use crate::check::check_text;
     use shaderlint_diagnostic::{Fix, Origin, Severity};
+    use shaderlint_project::NoFiles;
     use shaderlint_text::{Edit, Encoding, Role, Span};
 
     /// Adds safe fixes that replace one number with another.

@@ -6,7 +6,7 @@ use shaderlint_format::{
     Indentation, Lines, Style, StyleChoice, TextExtent, Unformatted, counts_lines,
     format as format_code,
 };
-use shaderlint_port::Project;
+use shaderlint_project::Project;
 use shaderlint_text::json::{JsonString, strings_in};
 use shaderlint_text::{Edit, Span};
 

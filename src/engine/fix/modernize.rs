@@ -4,7 +4,7 @@ use crate::findings::upgrade::reason;
 use crate::repair::{Repairs, error_count, fixed};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_explain::{Upgrade, UpgradeObstacle, upgrade};
-use shaderlint_port::{Composed, Project, compose};
+use shaderlint_project::{Composed, Project, compose};
 use shaderlint_semantic::Program;
 use shaderlint_text::{Edit, Role, Sources, Span, apply_edits};
 

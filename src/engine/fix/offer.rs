@@ -2,11 +2,11 @@
 
 use super::look::look;
 use crate::check_context::CheckContext;
-use crate::files::Files;
 use crate::findings::report::Report;
 use crate::options::Options;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Severity};
 use shaderlint_lint::{Settings, failing_fixes};
+use shaderlint_project::Files;
 use std::sync::Arc;
 
 /// The number of findings that can be fixed.
@@ -97,7 +97,8 @@ impl Report {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{NoFiles, check};
+    use crate::check;
+    use shaderlint_project::NoFiles;
 
     /// The fixes and the help of the errors.
     fn offered(name: &str, text: &str) -> [Vec<String>; 2] {

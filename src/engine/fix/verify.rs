@@ -2,7 +2,6 @@
 //! each pass is compared with its original.
 
 use crate::check::analyze;
-use crate::files::NoFiles;
 use crate::inputs::{Button, Moment, Mouse, Scene};
 use crate::options::Options;
 use serde::Deserialize;
@@ -14,10 +13,9 @@ use shaderlint_explain::Checked;
 use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::lower;
 use shaderlint_math::hash;
-use shaderlint_port::{
-    Bindings, Composed, File, HostedShader, PassUnit, Project, Target, Wrapper, bindings, compose,
-    glsl,
-};
+use shaderlint_port::{File, HostedShader, Target, glsl};
+use shaderlint_project::NoFiles;
+use shaderlint_project::{Bindings, Composed, PassUnit, Project, Wrapper, bindings, compose};
 use shaderlint_semantic::{Pass, Program, Sampler, Scalar, Stage};
 use std::sync::Arc;
 

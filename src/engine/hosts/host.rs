@@ -2,11 +2,11 @@
 //! surrounding script, and by the packages of its project.
 
 use crate::check_context::CheckContext;
-use crate::files::Files;
-use crate::files::repository::{counts, hash};
 use crate::shader::reading::Readings;
 use rustc_hash::FxHashMap;
 use shaderlint_host::{Preset, presets};
+use shaderlint_project::Files;
+use shaderlint_project::{counts, hash};
 use shaderlint_text::path::plain;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;

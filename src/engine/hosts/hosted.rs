@@ -11,7 +11,7 @@ use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
-use shaderlint_port::{
+use shaderlint_project::{
     Clues, Hosted, Project, SiblingTexts, TextChange, calls_entry, hosted, may_be_composed,
 };
 use shaderlint_semantic::snippet::is_body;

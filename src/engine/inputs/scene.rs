@@ -6,7 +6,7 @@ use super::varyings::Varyings;
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, Refusal, UniformSlot, compile};
 use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::Module;
-use shaderlint_port::{Bindings, UniformControl, bindings};
+use shaderlint_project::{Bindings, UniformControl, bindings};
 use shaderlint_semantic::{Program, Storage, Type};
 
 /// A shader with its inputs, ready to draw.

@@ -7,7 +7,7 @@ use rustc_hash::FxHashSet;
 use shaderlint_exec::{Bytecode, Draw};
 use shaderlint_host::{Feed, Preset};
 use shaderlint_lint::sample::{Instant, Supplier};
-use shaderlint_port::bindings;
+use shaderlint_project::bindings;
 use shaderlint_semantic::Program;
 use std::cell::OnceCell;
 

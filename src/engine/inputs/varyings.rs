@@ -4,7 +4,7 @@
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, compile, draw};
 use shaderlint_explain::analyze_alone;
 use shaderlint_ir::lower;
-use shaderlint_port::VaryingValue;
+use shaderlint_project::VaryingValue;
 use shaderlint_text::Role;
 
 /// Corners of the triangle that covers the image, in normalised device coordinates.

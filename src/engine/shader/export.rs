@@ -1,7 +1,7 @@
 //! Maps positions and fixes in passes of an export to its JSON text.
 
 use shaderlint_diagnostic::{Diagnostic, Fix};
-use shaderlint_port::{Composed, Project};
+use shaderlint_project::{Composed, Project};
 use shaderlint_text::json::{JsonString, strings_in};
 use shaderlint_text::{Edit, FileId, Sources, Span};
 

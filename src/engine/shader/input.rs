@@ -2,9 +2,9 @@
 
 use super::export::ExportText;
 use super::shader_input::ShaderInput;
-use crate::include::Hushed;
 use shaderlint_detect::embed::Embedded;
 use shaderlint_diagnostic::Diagnostic;
+use shaderlint_project::Hushed;
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 

@@ -2,11 +2,11 @@
 
 use super::analysis::Analysis;
 use super::reading::{PresumedCompleteness, Reading, Readings};
-use crate::include::MissingInclude;
 use shaderlint_detect::embed::Embedder;
 use shaderlint_host::Preset;
 use shaderlint_lint::SkippedRules;
-use shaderlint_port::PassUnit;
+use shaderlint_project::MissingInclude;
+use shaderlint_project::PassUnit;
 use shaderlint_semantic::{Completeness, Dialect, Stage};
 use shaderlint_syntax::Version;
 use shaderlint_text::FileId;

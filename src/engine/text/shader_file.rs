@@ -1,13 +1,13 @@
 //! A shader in a file of its own.
 
 use crate::check_context::CheckContext;
-use crate::include::{is_common, spread};
 use crate::options::{DialectChoice, Options};
 use crate::shader::input::SplitInput;
 use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::mask;
 use shaderlint_detect::kind::file_extension;
+use shaderlint_project::{is_common, spread};
 use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
 use shaderlint_text::FileId;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub fn shader_part(
             Vec::new(),
         ),
         None => {
-            let own = spread(&mut input.sources, name, file, text, context)?;
+            let own = spread(&mut input.sources, name, file, text, context.file_access())?;
             input.problems.extend(own.problems);
             input.hushed.extend(own.hushed);
             (own.files, own.is_open, own.missing)
@@ -50,7 +50,7 @@ pub fn shader_part(
         files,
         stage,
         surroundings: match stage {
-            _ if is_common(name, text, context) => Surroundings::CommonFile,
+            _ if is_common(name, text, context.file_access()) => Surroundings::CommonFile,
             Some(_) => Surroundings::StageFile,
             None => Surroundings::File,
         },

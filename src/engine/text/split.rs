@@ -10,7 +10,7 @@ use crate::shader::input::SplitInput;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::extract_named;
 use shaderlint_detect::kind::{Decision, FileKind, ShaderLanguage};
-use shaderlint_port::{Project, ProjectError, compose};
+use shaderlint_project::{Project, ProjectError, compose};
 use shaderlint_text::Role;
 use std::fmt;
 use std::sync::Arc;

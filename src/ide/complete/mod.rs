@@ -9,8 +9,8 @@ use super::document::{Document, Spot};
 use super::symbol::SymbolKind;
 use expected::LETTERS;
 use proposal::{CompletionKind, PLACEHOLDER, Proposal};
-use shaderlint_engine::Files;
 use shaderlint_lint::Page;
+use shaderlint_project::Files;
 use shaderlint_rules::RULES;
 use shaderlint_semantic::{Program, Type};
 use shaderlint_syntax::ast::*;
@@ -303,7 +303,7 @@ fn included(document: &Document, path: &str, files: &dyn Files) -> Vec<Proposal>
     let is_named = |name: &String| {
         let is_own = folder.join(name) == own;
         let is_folder =
-            files.entry(&folder.join(name)) == Some(shaderlint_engine::FileType::Folder);
+            files.entry(&folder.join(name)) == Some(shaderlint_project::FileType::Folder);
         let is_shader = shaderlint_detect::kind::is_shader(name);
         !name.starts_with('.') && !is_own && (is_folder || is_shader)
     };

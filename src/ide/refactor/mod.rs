@@ -27,7 +27,7 @@ use super::document::Document;
 use place::RefactorPlace;
 use proposal::ProposedRefactoring;
 pub use proposal::{NewFile, RefactorKind, Refactoring};
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_text::Span;
 pub use shown_value::{ShownValue, WITHIN, shown_value};
 

@@ -1,8 +1,8 @@
 //! The selected code, and how text is inserted around it.
 
 use crate::document::Document;
-use shaderlint_engine::Files;
 use shaderlint_lint::Facts;
+use shaderlint_project::Files;
 use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Token, WordClass, classify};

@@ -1,6 +1,6 @@
 //! Refactorings, before and after they are verified.
 
-use shaderlint_port::UniformControl;
+use shaderlint_project::UniformControl;
 use shaderlint_text::Edit;
 
 /// A verified refactoring.

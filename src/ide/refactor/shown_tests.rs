@@ -4,10 +4,11 @@ use super::tests::marked;
 use super::*;
 use crate::run::image_of;
 use crate::symbol::Symbol;
+use shaderlint_engine::Analysis;
 use shaderlint_engine::inputs::{Moment, Scene};
-use shaderlint_engine::{Analysis, NoFiles};
 use shaderlint_exec::{CompileOptions, draw};
 use shaderlint_play::RenderedImage;
+use shaderlint_project::NoFiles;
 use shaderlint_text::LineIndex;
 
 /// The colours of a shader in a small image.

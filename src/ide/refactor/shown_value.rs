@@ -8,7 +8,7 @@ use super::place::RefactorPlace;
 use super::verify::{ChangedDocument, changed};
 use crate::document::Document;
 use crate::preview::preview_project;
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_semantic::{Direction, FunctionRef, Scalar, Stage, Storage, Type, VariableId};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};

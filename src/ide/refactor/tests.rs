@@ -1,7 +1,8 @@
 //! Refactorings of a selection `«...»`, or at a position `|`.
 
 use super::*;
-use shaderlint_engine::{NoFiles, Options};
+use shaderlint_engine::Options;
+use shaderlint_project::NoFiles;
 use shaderlint_text::apply_edits;
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use super::constant::{NumberRange, number};
 use super::place::RefactorPlace;
 use super::proposal::{ProposedRefactoring, RefactorKind, RequiredProof};
 use crate::preview::preview_project;
-use shaderlint_port::{ControlKind, UniformControl, declared_control};
+use shaderlint_project::{ControlKind, UniformControl, declared_control};
 use shaderlint_semantic::Value;
 use shaderlint_text::number::shortest_decimal;
 use shaderlint_text::{Edit, Span};

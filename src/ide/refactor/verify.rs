@@ -9,7 +9,7 @@ use shaderlint_engine::{Analysis, equal};
 use shaderlint_exec::Equality;
 use shaderlint_flow::{ShaderVersion, is_equivalent};
 use shaderlint_lint::Facts;
-use shaderlint_port::UniformControl;
+use shaderlint_project::UniformControl;
 use shaderlint_semantic::tunable::tunables;
 use shaderlint_text::{Edit, apply_edits};
 use std::path::PathBuf;

@@ -6,7 +6,7 @@ use crate::document::{Document, FileSpan, Spot, SymbolOrigin};
 use crate::index::{NameUse, Occurrence, is_inactive};
 use crate::symbol::{Symbol, SymbolKind};
 use shaderlint_detect::embed::{MentionKind, NameRole};
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Completeness, Program, Resolution};
 use shaderlint_syntax::ast::{ExprId, ExprKind};

@@ -5,7 +5,7 @@ use crate::document::{Document, FileSpan, Spot};
 use crate::index::{NameUse, Occurrence};
 use crate::symbol::{Symbol, declared_at};
 use shaderlint_detect::embed::MentionKind;
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_semantic::Base;
 use shaderlint_text::Span;
 

@@ -10,7 +10,7 @@ use crate::index::NameUse;
 use crate::symbol::Symbol;
 use shaderlint_detect::embed::MentionKind;
 use shaderlint_diagnostic::Severity;
-use shaderlint_engine::Files;
+use shaderlint_project::Files;
 use shaderlint_semantic::{Program, starts_a_shader};
 use shaderlint_syntax::{RawKind, WordClass, classify, tokenize};
 use shaderlint_text::{Edit, LineIndex, Span, apply_edits};

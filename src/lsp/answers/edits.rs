@@ -10,8 +10,9 @@ use crate::snapshot::{Answer, Failure, Snapshot};
 use crate::uri::path_of;
 use crate::workspace::SampleRuns;
 use gen_lsp_types::*;
-use shaderlint_engine::{self as engine, Files};
+use shaderlint_engine as engine;
 use shaderlint_ide::{self as ide, ActionKind, Document};
+use shaderlint_project::{FileMoves, Files, moved_includes};
 use shaderlint_text::path::slashed;
 use shaderlint_text::{Edit, Span};
 use std::collections::{BTreeSet, HashMap};
@@ -227,14 +228,14 @@ pub fn move_files(snapshot: &Snapshot, params: RenameFilesParams) -> Answer<Opti
             may_change(&file, &text).then_some((file, text))
         })
         .collect();
-    let moves = engine::FileMoves::new(pairs);
+    let moves = FileMoves::new(pairs);
     let mut changes = HashMap::new();
     for (file, text) in files {
         let name = slashed(&file);
         let Some(options) = snapshot.workspace().options(&file, SampleRuns::Off) else {
             continue;
         };
-        let edits = engine::moved_includes(&name, &text, &options, &snapshot.files, &moves);
+        let edits = moved_includes(&name, &text, options.file_access(&snapshot.files), &moves);
         if !edits.is_empty() {
             let edits = snapshot.with_lines(&name, |lines| text_edits(lines, &edits));
             changes.insert(snapshot.uri(&name), edits.unwrap_or_default());

@@ -6,8 +6,8 @@ use crate::capabilities::symbol_kind;
 use crate::snapshot::{Answer, Failure, Snapshot};
 use crate::uri::path_of;
 use gen_lsp_types::*;
-use shaderlint_engine::Files;
 use shaderlint_ide::{self as ide, CallItem, Document, FileSpan, NameUse, OutlineItem};
+use shaderlint_project::Files;
 use shaderlint_text::Span;
 use std::sync::Arc;
 

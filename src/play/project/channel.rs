@@ -8,7 +8,7 @@ use super::target::ImagePair;
 use super::{PlaybackProblem, Player};
 use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{Draw, Filter, Image, ImageShape, Sampling, Stop, Texels, Texture, Wrap};
-use shaderlint_port::{Input, InputKind, OutputId, Project};
+use shaderlint_project::{Input, InputKind, OutputId, Project};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 

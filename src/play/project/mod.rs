@@ -17,7 +17,7 @@ use channel::Channel;
 use shader::PassShader;
 use shaderlint_engine::inputs::{Moment, Unfit};
 use shaderlint_exec::{CompileOptions, Draw, DrawInputs, Drawn, Stop, draw};
-use shaderlint_port::{Composed, Project};
+use shaderlint_project::{Composed, Project};
 use shaderlint_semantic::Pass;
 use stand_in::SubstituteImage;
 use std::sync::Arc;

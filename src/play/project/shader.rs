@@ -5,7 +5,7 @@ use shaderlint_engine::inputs::{Moment, Scene, Unfit, player_draw};
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, compile};
 use shaderlint_host::Feed;
 use shaderlint_ir::lower;
-use shaderlint_port::{Bindings, Composed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
+use shaderlint_project::{Bindings, Composed, PassUnit, Project, ProjectPass, SizeTerm, Wrapper};
 use shaderlint_semantic::Stage;
 
 /// The shader of a pass.

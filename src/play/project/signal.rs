@@ -2,7 +2,7 @@
 
 use shaderlint_exec::{Image, ImageShape, Texels};
 use shaderlint_math::sine;
-use shaderlint_port::{Input, SignalForm};
+use shaderlint_project::{Input, SignalForm};
 use std::sync::Arc;
 
 /// Number of frequencies, and of wave samples, in an audio texture.

@@ -7,7 +7,7 @@ use shaderlint_exec::{
 };
 use shaderlint_explain::analyze_alone;
 use shaderlint_ir::lower;
-use shaderlint_port::{Input, InputKind, StandIn};
+use shaderlint_project::{Input, InputKind, StandIn};
 use shaderlint_text::Role;
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use shaderlint_exec::{Image, ImageProblem, ImageShape, Texels};
-use shaderlint_port::{Input, InputKind, VolumeHead, is_gray};
+use shaderlint_project::{Input, InputKind, VolumeHead, is_gray};
 use std::sync::Arc;
 
 /// A decoded image.

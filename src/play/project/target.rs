@@ -3,7 +3,7 @@
 use super::shader::size_of;
 use super::{PlaybackProblem, Player};
 use shaderlint_exec::{Image, ImageShape, Texels};
-use shaderlint_port::{InputKind, OutputId, Project, ProjectPass, Wrapper};
+use shaderlint_project::{InputKind, OutputId, Project, ProjectPass, Wrapper};
 use shaderlint_semantic::Pass;
 use std::sync::Arc;
 

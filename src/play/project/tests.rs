@@ -2,7 +2,7 @@
 
 use super::*;
 use serde_json::{Value, json};
-use shaderlint_port::add_stand_ins;
+use shaderlint_project::add_stand_ins;
 
 const BUFFERS: [&str; 4] = ["4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"];
 

@@ -1,9 +1,9 @@
 //! A shader for a host as that host completes it.
 
 use crate::Bindings;
-use crate::dialect::{Clues, Completion, TextChange, best, bind, plan};
 use shaderlint_explain::Checked;
 use shaderlint_host::{HostVersion, Preset};
+use shaderlint_project::{Clues, Completion, TextChange, best, bind, plan};
 
 /// A checked shader of a host.
 pub struct HostedShader {

@@ -1,8 +1,8 @@
 //! The resource interface of a shader, for the comments in the output and as JSON.
 
 use super::target::{FirstRow, TargetLanguage};
-use crate::draw::SizeTerm;
 use serde::Serialize;
+use shaderlint_project::SizeTerm;
 
 /// All inputs and outputs of a shader with their bindings.
 #[derive(Clone, PartialEq, Debug, Serialize)]

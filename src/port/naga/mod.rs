@@ -42,11 +42,11 @@ pub use lower::{Lowered, lower};
 pub use target::{FirstRow, LowerOptions, Output, Refused, TargetLanguage};
 pub use write::write;
 
-use super::compose::{Composed, PassUnit};
 use super::credits;
 use super::payload::{InputData, PassData, passes};
-use super::project::Project;
 use shaderlint_diagnostic::Severity;
+use shaderlint_project::Project;
+use shaderlint_project::{Composed, PassUnit};
 use shaderlint_semantic::Pass;
 
 /// A translated shader.

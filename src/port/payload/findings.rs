@@ -87,7 +87,8 @@ fn label(sources: &Sources, span: Span, text: &str) -> Option<LabelData> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Project, compose};
+    use crate::Project;
+    use shaderlint_project::compose;
 
     #[test]
     fn errors_have_utf_16_positions() {

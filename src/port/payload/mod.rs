@@ -6,8 +6,6 @@ mod keys;
 pub(super) mod pieces;
 pub(super) mod tuned;
 
-use super::media::is_gray;
-use super::sliders::Slider;
 use super::{
     Composed, Generator, Input, InputKind, OutputId, Project, ProjectPass, SizeTerm,
     UniformControl, UniformData, VERTEX, Wrapper, credits,
@@ -15,6 +13,8 @@ use super::{
 use findings::{FindingData, findings};
 use keys::key_names;
 use serde::Serialize;
+use shaderlint_project::Slider;
+use shaderlint_project::is_gray;
 use shaderlint_semantic::{Pass, Sampler, Stage};
 use shaderlint_text::{FileId, Role, SourceFile};
 use tuned::sliders;

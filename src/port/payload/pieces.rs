@@ -245,7 +245,11 @@ mod tests {
     fn plain_shaders_need_no_optional_parts() {
         let code = "void mainImage(out vec4 o, vec2 u) { o = vec4(u / iResolution.xy, 0, 1); }";
         let project = Project::from_shader("", code).unwrap();
-        let needs = PlayerParts::of(&project, &crate::compose(&project, "").unwrap(), true);
+        let needs = PlayerParts::of(
+            &project,
+            &shaderlint_project::compose(&project, "").unwrap(),
+            true,
+        );
         assert_eq!(needs.0, []);
     }
 }

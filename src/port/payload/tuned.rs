@@ -1,9 +1,9 @@
 //! Finds the values in the code that have sliders.
 
-use crate::sliders::{Slider, SliderChoice, Sliders};
 use crate::{Composed, ControlKind, PassUnit};
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::Severity;
+use shaderlint_project::{Slider, SliderChoice, Sliders};
 use shaderlint_semantic::Scalar;
 use shaderlint_semantic::tunable::{
     Tunable, TunableChoice, TunableKind, chosen_tunables, untunables,
@@ -215,7 +215,8 @@ fn slider(sources: &Sources, tunable: &Tunable, units: &mut Units) -> Option<Sli
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Project, compose};
+    use crate::Project;
+    use shaderlint_project::compose;
 
     /// Name, kind, literals and range of each slider; then the notes.
     #[track_caller]

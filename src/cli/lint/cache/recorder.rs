@@ -1,7 +1,8 @@
 //! Notes what a check asks about other files, and answers it again later.
 
 use super::super::super::disk::Disk;
-use crate::engine::{Dependency, FileType, Files, LoadError, Options};
+use crate::engine::Options;
+use crate::project::{Dependency, FileType, Files, LoadError};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};

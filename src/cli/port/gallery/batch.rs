@@ -2,7 +2,8 @@
 
 use crate::cli::port::args::{GalleryArgs, PortArgs};
 use crate::cli::port::read::read_text;
-use crate::port::{Target, exports_in};
+use crate::port::Target;
+use crate::project::exports_in;
 use std::path::{Path, PathBuf};
 
 /// The gallery that `shaderport *.json -o site/` asks for; `None` if the input is one shader.

@@ -4,7 +4,7 @@ use crate::cli::port::load::in_folder;
 use crate::cli::port::read::{plain_error, read_text};
 use crate::cli::port::save::file_name;
 use crate::detect::kind::{Claim, FileKind, decide};
-use crate::port::{PassRole, exports_in};
+use crate::project::{PassRole, exports_in};
 use crate::text::path::slashed;
 use std::collections::BTreeMap;
 use std::fs;

@@ -16,9 +16,8 @@ use crate::cli::progress::Progress;
 use crate::cli::watch::{Stamp, wait};
 use crate::commands::run::position;
 use crate::diagnostic::Severity;
-use crate::port::{
-    Composed, File, Gallery, GalleryEntry, PageAddress, Poster, embed, gallery, still_file,
-};
+use crate::port::{File, Gallery, GalleryEntry, PageAddress, Poster, embed, gallery, still_file};
+use crate::project::Composed;
 use crate::text::path::slashed;
 use find::{GallerySource, INDEX, sources, title};
 use std::collections::HashMap;

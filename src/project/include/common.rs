@@ -1,9 +1,8 @@
 //! ShaderToy passes in separate files: the Common file of a folder is included before the others.
 
-use crate::check_context::CheckContext;
+use crate::PassRole;
+use crate::access::FileAccess;
 use crate::files::passes::{Passes, role};
-use crate::options::{DialectChoice, Options};
-use shaderlint_port::PassRole;
 use shaderlint_semantic::{GuessedKind, Pass, guess};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,11 +10,11 @@ use std::sync::Arc;
 /// Size limit in bytes of passes that are read to detect what they are.
 const MAX_PASS: usize = 1024 * 1024;
 /// The Common file that is included before a pass, if there is one.
-pub fn common_of(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
+pub fn common_of(name: &str, text: &str, context: FileAccess) -> Option<PathBuf> {
     let Some((role, prefix)) = role(file_name(name)) else {
         return common_of_saver(name, text, context);
     };
-    if role == PassRole::Common || !may_be_pass(context.options) || !is_pass(text) {
+    if role == PassRole::Common || !context.may_be_passes || !is_pass(text) {
         return None;
     }
     let passes = sibling_passes(name, context)?;
@@ -28,14 +27,14 @@ pub fn common_of(name: &str, text: &str, context: CheckContext) -> Option<PathBu
 
 /// The common code of a screen saver of XScreenSaver: `NAME-c.glsl` for `NAME.glsl`, `NAME-0.glsl`
 /// and so on.
-fn common_of_saver(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
+fn common_of_saver(name: &str, text: &str, context: FileAccess) -> Option<PathBuf> {
     let (path, extension) = name.rsplit_once('.')?;
     let saver = match path.rsplit_once('-') {
         Some((saver, "0" | "1" | "2" | "3" | "4")) => saver,
         _ => path,
     };
     let common = PathBuf::from(format!("{saver}-c.{extension}"));
-    if !may_be_pass(context.options) || !is_pass(text) {
+    if !context.may_be_passes || !is_pass(text) {
         return None;
     }
     context.files.entry(&common)?;
@@ -44,7 +43,7 @@ fn common_of_saver(name: &str, text: &str, context: CheckContext) -> Option<Path
 }
 
 /// Whether a file is the common code of a screen saver.
-fn is_common_of_saver(name: &str, context: CheckContext) -> bool {
+fn is_common_of_saver(name: &str, context: FileAccess) -> bool {
     let split = name.rsplit_once('.');
     let Some((saver, extension)) = split.and_then(|(p, e)| Some((p.strip_suffix("-c")?, e))) else {
         return false;
@@ -62,8 +61,8 @@ fn is_common_of_saver(name: &str, context: CheckContext) -> bool {
 }
 
 /// Whether a file is the Common file of the passes in its folder.
-pub fn is_common(name: &str, text: &str, context: CheckContext) -> bool {
-    if !may_be_pass(context.options) || text.contains("#version") {
+pub fn is_common(name: &str, text: &str, context: FileAccess) -> bool {
+    if !context.may_be_passes || text.contains("#version") {
         return false;
     }
     let Some((PassRole::Common, prefix)) = role(file_name(name)) else {
@@ -81,16 +80,9 @@ pub fn is_common(name: &str, text: &str, context: CheckContext) -> bool {
 }
 
 /// The ShaderToy passes in the folder of a file.
-fn sibling_passes(name: &str, context: CheckContext) -> Option<Arc<Passes>> {
+fn sibling_passes(name: &str, context: FileAccess) -> Option<Arc<Passes>> {
     let folder = Path::new(name).parent()?;
-    Some(context.options.file_cache.passes(context.files, folder))
-}
-
-fn may_be_pass(options: &Options) -> bool {
-    matches!(
-        options.dialect,
-        DialectChoice::Auto | DialectChoice::Shadertoy
-    )
+    Some(context.cache.passes(context.files, folder))
 }
 
 fn is_pass(text: &str) -> bool {

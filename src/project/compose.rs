@@ -36,9 +36,9 @@ pub struct Composed {
     /// By pass of the project: everything that determines the compiled text.
     keys: Vec<UnitKey>,
     /// Which values have sliders.
-    pub(super) choice: SliderChoice,
+    pub choice: SliderChoice,
     /// The sliders, computed on first use.
-    pub(super) sliders: OnceLock<Sliders>,
+    pub sliders: OnceLock<Sliders>,
 }
 
 /// Everything that determines the compiled text of a pass: its channels, its code, and the text
@@ -101,7 +101,7 @@ impl Composed {
 
     /// The same passes with another text in one or several files. Returns `None` if the texts are
     /// too large to be addressed.
-    pub(super) fn with_texts(&self, texts: &[(FileId, String)]) -> Option<Composed> {
+    pub fn with_texts(&self, texts: &[(FileId, String)]) -> Option<Composed> {
         let mut sources = Sources::new();
         for (id, file) in (0..).map(FileId).zip(self.sources.files()) {
             let changed = texts.iter().find(|(changed, _)| *changed == id);

@@ -11,7 +11,7 @@ pub use common::is_common;
 pub use find::Absence;
 pub use moved::{FileMoves, moved_includes};
 
-use crate::check_context::CheckContext;
+use crate::access::FileAccess;
 use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
@@ -97,7 +97,7 @@ pub fn spread(
     name: &str,
     file: FileId,
     text: &str,
-    context: CheckContext,
+    context: FileAccess,
 ) -> Option<Spread> {
     let found = |path: Option<PathBuf>| path.and_then(|path| context.load(&path).ok());
     let subject = found(subject::subject_of(name, text, context));
@@ -156,7 +156,7 @@ pub fn spread(
 /// Expands the includes of a shader.
 struct Spreader<'r, 'w> {
     sources: &'r mut Arc<Sources>,
-    context: CheckContext<'w>,
+    context: FileAccess<'w>,
     found: Spread,
     /// The stack of files being included.
     open: Vec<OpenFile>,
@@ -276,8 +276,7 @@ impl Spreader<'_, '_> {
 
     fn directive(&mut self, from: &str, directive: &IncludeDirective, span: Span) -> Option<()> {
         let requested = &directive.requested;
-        let is_chunk =
-            requested.manner == Manner::Chunk && self.context.options.host.preset.is_some();
+        let is_chunk = requested.manner == Manner::Chunk && self.context.host.is_some();
         // The host inserts what the file contains.
         if requested.manner == Manner::Chunk && is_provided(&requested.path) {
             return Some(());

@@ -19,19 +19,28 @@ pub enum SliderChoice {
 
 /// A value in the code that the user sets. Offsets are in UTF-16 units.
 #[derive(Clone, PartialEq, Debug, Serialize)]
-pub(super) struct Slider {
-    pub(super) name: String,
-    pub(super) label: String,
-    pub(super) kind: ControlKind,
+pub struct Slider {
+    /// The name of the constant or variable.
+    pub name: String,
+    /// The text beside the slider.
+    pub label: String,
+    /// How it is shown.
+    pub kind: ControlKind,
     /// The type of the literals.
-    pub(super) scalar: &'static str,
-    pub(super) value: Vec<f64>,
-    pub(super) min: Vec<f64>,
-    pub(super) max: Vec<f64>,
+    pub scalar: &'static str,
+    /// The value in the code, one number per component.
+    pub value: Vec<f64>,
+    /// The lower limits.
+    pub min: Vec<f64>,
+    /// The upper limits.
+    pub max: Vec<f64>,
+    /// The file that the literals are in.
     #[serde(rename = "file", serialize_with = "number")]
-    pub(super) file: FileId,
-    pub(super) start: usize,
-    pub(super) end: usize,
+    pub file: FileId,
+    /// Start offset of the literals.
+    pub start: usize,
+    /// End offset.
+    pub end: usize,
 }
 
 fn number<S: serde::Serializer>(file: &FileId, to: S) -> Result<S::Ok, S::Error> {
@@ -40,8 +49,9 @@ fn number<S: serde::Serializer>(file: &FileId, to: S) -> Result<S::Ok, S::Error>
 
 /// The sliders of a project.
 #[derive(Clone, PartialEq, Default, Debug)]
-pub(super) struct Sliders {
-    pub(super) list: Vec<Slider>,
+pub struct Sliders {
+    /// The sliders in order.
+    pub list: Vec<Slider>,
     /// Proposed sliders, and why values have none.
-    pub(super) notes: Vec<String>,
+    pub notes: Vec<String>,
 }

@@ -1,9 +1,9 @@
 //! Resolves the files that a shader includes.
 
-use crate::check_context::CheckContext;
+use crate::access::FileAccess;
+use crate::access::Includes;
 use crate::files::scan::{IncludedFile, Manner, RequestedFile};
 use crate::files::{FileType, Files};
-use crate::options::Includes;
 use shaderlint_text::path::{plain, slashed, tidy};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -69,7 +69,7 @@ impl Absent {
     }
 }
 
-impl CheckContext<'_> {
+impl FileAccess<'_> {
     /// Resolves a path in an include directive of the file `from`.
     pub fn find(&self, from: &str, requested: &RequestedFile) -> Result<FoundFile, Absent> {
         let mut absent = Absent {
@@ -98,7 +98,7 @@ impl CheckContext<'_> {
 
     /// The folders that a path may be relative to, in order of search, with the rest of the path.
     fn places<'p>(&self, from: &str, named: &'p str) -> Vec<(PathBuf, &'p str)> {
-        let Includes { root, tops, roots } = &self.options.includes;
+        let Includes { root, tops, roots } = &self.includes;
         let beside = Path::new(from).parent().unwrap_or(Path::new(""));
         let relative = |path: &Path| {
             let inside = path.strip_prefix(self.files.here());
@@ -132,10 +132,10 @@ impl CheckContext<'_> {
     /// Reads a file, unless it is outside the project.
     pub fn load(&self, path: &Path) -> Result<FoundFile, Absence> {
         let real = self.files.real(path).ok_or(Absence::NotFound)?;
-        if !real.starts_with(&self.options.includes.root) {
+        if !real.starts_with(&self.includes.root) {
             return Err(Absence::Outside);
         }
-        let file = self.options.file_cache.text(self.files, &real);
+        let file = self.cache.text(self.files, &real);
         Ok(FoundFile {
             name: slashed(path),
             folder: PathBuf::new(),

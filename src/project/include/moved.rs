@@ -1,10 +1,9 @@
 //! The include paths that change when files are moved.
 
 use super::find::EXTENSIONS;
-use crate::check_context::CheckContext;
+use crate::access::FileAccess;
+use crate::files::FileType;
 use crate::files::scan::scan;
-use crate::files::{FileType, Files};
-use crate::options::Options;
 use shaderlint_detect::embed::{DocumentLanguage, extract_named, strings};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_text::path::{plain, relative, slashed, tidy};
@@ -35,16 +34,10 @@ impl FileMoves {
 
 /// The edits after which a file includes the same files as before the moves. `name` is its absolute
 /// path before.
-pub fn moved_includes(
-    name: &str,
-    text: &str,
-    options: &Options,
-    files: &dyn Files,
-    moves: &FileMoves,
-) -> Vec<Edit> {
+pub fn moved_includes(name: &str, text: &str, context: FileAccess, moves: &FileMoves) -> Vec<Edit> {
     let file = MovedFile {
         name,
-        context: CheckContext::new(options, files),
+        context,
         moves,
     };
     let Some(language) = DocumentLanguage::of_extension(&file_extension(name)) else {
@@ -66,7 +59,7 @@ pub fn moved_includes(
 
 struct MovedFile<'a> {
     name: &'a str,
-    context: CheckContext<'a>,
+    context: FileAccess<'a>,
     moves: &'a FileMoves,
 }
 

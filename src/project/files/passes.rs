@@ -1,8 +1,8 @@
 //! The files of a folder that contain the passes of a ShaderToy project.
 
 use super::Files;
+use crate::PassRole;
 use shaderlint_host::shadertoy;
-use shaderlint_port::PassRole;
 use std::path::{Path, PathBuf};
 
 /// Maximum number of files in a folder that are examined.

@@ -2,7 +2,7 @@
 
 use super::find::EXTENSIONS;
 use crate::FileType;
-use crate::check_context::CheckContext;
+use crate::access::FileAccess;
 use std::path::{Path, PathBuf};
 
 /// The functions that a file of tests may call and GLSL does not have.
@@ -22,7 +22,7 @@ pub fn test_prelude(name: &str, text: &str, subject: Option<&str>) -> Option<&'s
 }
 
 /// The file that a test file tests. A text with `#version` is complete on its own.
-pub fn subject_of(name: &str, text: &str, context: CheckContext) -> Option<PathBuf> {
+pub fn subject_of(name: &str, text: &str, context: FileAccess) -> Option<PathBuf> {
     let path = Path::new(name);
     let extension = path.extension()?.to_str()?;
     let file = path.file_name()?.to_str()?;

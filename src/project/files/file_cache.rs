@@ -25,7 +25,7 @@ pub struct FileCache {
 
 impl FileCache {
     /// A file, read again if it has changed.
-    pub(crate) fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
+    pub fn text(&self, files: &dyn Files, real: &Path) -> Option<Arc<IncludedFile>> {
         files.depends_on(Dependency::Text(real));
         of_version(&self.texts, files, real, || {
             Some(IncludedFile::new(files.load(real).ok()?))
@@ -34,7 +34,7 @@ impl FileCache {
 
     /// The files in a folder that are named like passes, listed again if files were added or
     /// removed.
-    pub(crate) fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
+    pub fn passes(&self, files: &dyn Files, folder: &Path) -> Arc<Passes> {
         files.depends_on(Dependency::Names(folder));
         let found = of_version(&self.passes, files, folder, || {
             Some(Passes::inside(files, folder))
@@ -43,7 +43,7 @@ impl FileCache {
     }
 
     /// The packages of a folder's project; `find` computes them.
-    pub(crate) fn packages(
+    pub fn packages(
         &self,
         folder: &Path,
         files: &dyn Files,
@@ -55,14 +55,14 @@ impl FileCache {
 
     /// Whether a word appears in another file of the repository, and whether all of its files were
     /// read.
-    pub(crate) fn is_elsewhere(&self, word: &str, file: &Path, files: &dyn Files) -> (bool, bool) {
+    pub fn is_elsewhere(&self, word: &str, file: &Path, files: &dyn Files) -> (bool, bool) {
         self.of_repository(file, files, |words| {
             (words.is_elsewhere(word, file), words.is_all)
         })
     }
 
     /// Whether a program in the repository may write `#version` before shaders.
-    pub(crate) fn adds_version(&self, file: &Path, files: &dyn Files) -> bool {
+    pub fn adds_version(&self, file: &Path, files: &dyn Files) -> bool {
         self.of_repository(file, files, |words| words.adds_version || !words.is_all)
     }
 

@@ -21,11 +21,11 @@ mod vertex;
 mod vertexshaderart;
 mod vscode;
 
-pub(super) use bind::bind;
+pub use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 use clues::VersionAsked;
 pub use clues::{Clues, Interfacing};
-pub(crate) use complete::best;
+pub use complete::best;
 pub use complete::{Completion, TextChange};
 pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
@@ -245,7 +245,7 @@ fn with_usual(host: &Preset) -> impl Iterator<Item = &Preset> {
 }
 
 /// Splits a text of a host into passes; `None` for ShaderToy's player.
-pub(super) fn plan(host: &Preset, clues: &Clues) -> Option<Plan> {
+pub fn plan(host: &Preset, clues: &Clues) -> Option<Plan> {
     match code_of(host) {
         Some(code) => code.plan.map(|plan| plan(clues)),
         None => Some(match base_plan(host) {

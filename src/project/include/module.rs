@@ -2,7 +2,7 @@
 //! glslify, and its export gets the name under which it is required.
 
 use super::find::{Absent, FoundFile};
-use crate::check_context::CheckContext;
+use crate::access::FileAccess;
 use crate::files::scan::{Form, IncludeDirective};
 use shaderlint_syntax::{Lexer, RawKind, TokenKind};
 use std::collections::{HashMap, HashSet};
@@ -41,7 +41,7 @@ struct MadeModule {
 
 impl Modules {
     /// Records what the shader requires, so that modules that require the same can share it.
-    pub fn expect(&mut self, name: &str, context: CheckContext, directives: &[IncludeDirective]) {
+    pub fn expect(&mut self, name: &str, context: FileAccess, directives: &[IncludeDirective]) {
         for directive in directives.iter().take(MAX_MODULES) {
             if let Form::Require(requested, arguments) = &directive.form
                 && arguments.is_empty()
@@ -61,7 +61,7 @@ impl Modules {
         found: &FoundFile,
         arguments: &[(String, String)],
         requested: Option<&str>,
-        context: CheckContext,
+        context: FileAccess,
     ) -> Option<(String, String)> {
         let is_same = |m: &&MadeModule| {
             m.real == found.real
@@ -109,7 +109,7 @@ impl Modules {
         &mut self,
         found: &FoundFile,
         mut names: HashMap<String, String>,
-        context: CheckContext,
+        context: FileAccess,
     ) -> String {
         let text = &*found.file.text;
         let mut out = String::with_capacity(text.len());

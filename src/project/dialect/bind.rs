@@ -50,7 +50,7 @@ pub const MAX_CHANNELS: u8 = 16;
 /// Determines the values for a complete shader. `own` are the inputs and controls that the text
 /// itself describes, `output` is the output of the pass, `partner` the other shader of the pair if
 /// the file provides it.
-pub(crate) fn bind(
+pub fn bind(
     program: &Program,
     host: &Preset,
     own: (&[Input], &[UniformControl]),

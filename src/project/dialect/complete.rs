@@ -135,7 +135,7 @@ impl Completion {
 }
 
 /// The first candidate that compiles, otherwise the one with the fewest errors.
-pub(crate) fn best(candidates: Vec<Completion>) -> Option<Completion> {
+pub fn best(candidates: Vec<Completion>) -> Option<Completion> {
     let mut best: Option<(usize, Completion)> = None;
     for candidate in candidates {
         let found = candidate.check()?.diagnostics;

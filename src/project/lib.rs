@@ -1,0 +1,49 @@
+//! The program around a shader: the files that belong to it, its passes, the inputs of their
+//! channels, and the host that completes it.
+//!
+//! A [`Project`] contains what ShaderToy stores of a shader, or a complete shader of another host;
+//! [`compose`] assembles each pass as the player compiles it. Everything outside of the text itself
+//! is asked of [`Files`], so that each front sees the same project.
+
+mod access;
+mod compose;
+mod control;
+mod dialect;
+mod draw;
+mod files;
+mod include;
+mod input;
+mod media;
+mod project;
+mod repair;
+mod signature;
+mod sliders;
+
+pub use access::{FileAccess, Includes};
+pub use compose::{Composed, PassUnit, compose};
+pub use control::{ControlChoice, ControlKind, UniformControl};
+pub use dialect::{
+    Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
+    UniformData, VaryingValue, best, bind, bindings, calls_entry, declared_control, hosted,
+    may_be_composed, plan, recognise,
+};
+pub use draw::{PassDraw, SizeTerm};
+pub use files::file_cache::FileCache;
+pub use files::repository::{counts, hash};
+pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
+pub use include::{
+    Absence, FileMoves, Hushed, MissingInclude, Spread, is_common, moved_includes, spread,
+};
+pub use input::assumed::AssumedInput;
+pub use input::channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
+pub use input::export::{MAX_EXPORT, ProjectError, exports_in};
+pub use input::parts::{PartsError, PassFile, PassRole, saver_roles, unknown_pass};
+pub use input::single::ShaderError;
+pub use input::supply::{Missing, missing};
+pub use media::{Generator, StandIn, add_stand_ins, is_gray};
+pub use project::{
+    Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,
+};
+pub use repair::add_repairs;
+pub use signature::{VolumeHead, kind_of_bytes, kind_of_name, why_not};
+pub use sliders::{Slider, SliderChoice, Sliders};
