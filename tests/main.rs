@@ -11,6 +11,7 @@ mod hostile;
 mod media;
 mod naga;
 mod offers;
+mod opening;
 mod other_languages;
 mod pages;
 mod port;

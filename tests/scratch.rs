@@ -10,7 +10,8 @@ use std::process::{Command, Stdio};
 pub struct Scratch(tempfile::TempDir);
 
 /// The subcommands that check no files, or always sample them.
-const OTHER_COMMANDS: [&str; 14] = [
+const OTHER_COMMANDS: [&str; 15] = [
+    "dap",
     "check",
     "help",
     "init",

@@ -1,6 +1,7 @@
 //! Implements [`Files`] for the file system.
 
 use crate::project::{FileType, Files, LoadError, MAX_LOADED};
+use crate::text::{Content, Encoding};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
@@ -35,11 +36,21 @@ impl Files for Disk {
         if data.len() > MAX_LOADED {
             return Err(LoadError::TooLarge);
         }
-        let text = fs::read_to_string(path);
-        text.map(Arc::from).map_err(|e| match e.kind() {
+        let bytes = fs::read(path).map_err(|e| match e.kind() {
             io::ErrorKind::NotFound => LoadError::NotFound,
             _ => LoadError::Unreadable,
-        })
+        })?;
+        // As the file itself is checked: a damaged character is no reason to read nothing.
+        if let Some(text) = Content::utf16(&bytes) {
+            return Ok(text.into());
+        }
+        match Content::of(bytes) {
+            Content {
+                encoding: Encoding::Binary,
+                ..
+            } => Err(LoadError::Unreadable),
+            Content { text, .. } => Ok(text.into()),
+        }
     }
 
     fn entry(&self, path: &Path) -> Option<FileType> {

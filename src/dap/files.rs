@@ -39,7 +39,11 @@ impl ProgramFiles {
             let starts = starts.chain(file.pieces.is_empty().then_some(1));
             let pieces = starts.map(|start| {
                 let (file, line) = file.origin(start);
-                TextPiece { start, file, line }
+                TextPiece {
+                    start,
+                    file: file.to_string(),
+                    line,
+                }
             });
             let is_same = || {
                 programs

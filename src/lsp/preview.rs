@@ -8,13 +8,13 @@ use gen_lsp_types::{Position, Range, Uri, WorkspaceEdit};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use shaderlint_diagnostic::Severity;
-use shaderlint_host::shadertoy;
 use shaderlint_ide::{self as ide, Document, ShownValue};
 use shaderlint_port::html;
-use shaderlint_project::{Composed, PassFile, PassRole, Project, add_stand_ins};
-use shaderlint_project::{FileType, Files};
+use shaderlint_project::{
+    Composed, FileType, Files, OpenedProject, Project, add_stand_ins, channel_file, open_file,
+};
 use shaderlint_semantic::Pass;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Which shader of a document is shown.
 #[derive(Clone, Copy, Default, Deserialize)]
@@ -156,7 +156,12 @@ fn shown_project(
     let document = value
         .as_ref()
         .map_or(&*document, |(value, _)| &value.document);
-    let DraftedProject { mut project, path } = draft(snapshot, document, shader)?;
+    let OpenedProject {
+        mut project,
+        place,
+        orders,
+        ..
+    } = draft(snapshot, document, shader)?;
     let wrong = |error: shaderlint_project::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
     let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
@@ -169,16 +174,14 @@ fn shown_project(
     if let Some(error) = first_error(&composed) {
         return Err(Failure::refused(error));
     }
-    let is_file = path_of(&buffer.uri).is_some() && !document.report.holds_shaders();
-    let path = path.filter(|_| is_file);
-    if let Some(path) = &path {
-        let put = snapshot.workspace().put_channels(&mut project, path);
-        put.map_err(Failure::refused)?;
-    }
+    let place = place.filter(|_| path_of(&buffer.uri).is_some());
+    let orders = place.as_ref().map_or(&[][..], |_| &orders);
+    let put = snapshot.workspace().put_channels(&mut project, orders);
+    put.map_err(Failure::refused)?;
     add_stand_ins(&mut project);
     let composed = project.renew(composed, &buffer.path).map_err(wrong)?;
     let is_written = !project.is_export;
-    let channels = path.filter(|_| is_written);
+    let channels = place.filter(|_| is_written);
     Ok(ShownProject {
         project,
         composed,
@@ -187,7 +190,7 @@ fn shown_project(
             text: value.text,
             limits,
         }),
-        channels: channels.map(|path| channel_file(snapshot, &path)),
+        channels: channels.map(|place| orders_file(snapshot, &place)),
     })
 }
 
@@ -213,33 +216,11 @@ fn shown_value(
 }
 
 /// The file that gives inputs to the channels of a shader file, or of a folder of passes.
-fn channel_file(snapshot: &Snapshot, input: &Path) -> ChannelFile {
-    const NAME: &str = "channels.toml";
-    let exists = |path: &PathBuf| snapshot.files.entry(path) == Some(FileType::File);
-    let own = input.with_extension(NAME);
-    let shared = match snapshot.files.entry(input) {
-        Some(FileType::Folder) => input.join(NAME),
-        _ => input.with_file_name(NAME),
-    };
-    // A pass may get others beside it. Other shaders in a folder have nothing in common with them.
-    let name = input.file_name().unwrap_or_default();
-    let is_pass = role_of(&name.to_string_lossy()).is_some();
-    let is_folder = shared.parent() == Some(input);
-    let folder = input.parent().unwrap_or(input);
-    let has_image = || {
-        let names = snapshot.files.names(folder);
-        names
-            .iter()
-            .any(|name| role_of(name) == Some(PassRole::Image))
-    };
-    let is_shared = || is_pass || exists(&shared) && !has_image();
-    let file = match is_folder || !exists(&own) && is_shared() {
-        true => shared,
-        false => own,
-    };
+fn orders_file(snapshot: &Snapshot, place: &Path) -> ChannelFile {
+    let file = channel_file(place, &snapshot.files);
     ChannelFile {
         uri: snapshot.uri(&file.to_string_lossy()),
-        exists: exists(&file),
+        exists: snapshot.files.entry(&file) == Some(FileType::File),
     }
 }
 
@@ -249,74 +230,28 @@ fn first_error(composed: &Composed) -> Option<String> {
     let mut all = analyses.flat_map(|analysis| &analysis.diagnostics);
     let error = all.find(|d| d.severity == Severity::Error)?;
     let file = composed.sources.file_at(error.span.start)?;
-    let line = file.position(error.span.start).line;
+    let line = file.shown_position(error.span.start).line;
+    let path = file.shown_path(error.span.start);
+    let included = Path::new(path).file_name().filter(|_| path != file.path);
     let part = file
         .part
-        .as_ref()
-        .map_or(String::new(), |part| format!("{part}, "));
+        .clone()
+        .or(included.map(|name| name.to_string_lossy().into_owned()));
+    let part = part.map_or(String::new(), |part| format!("{part}, "));
     Some(format!("{part}line {line}: {}", error.message))
 }
 
-/// A project whose channels are unknown.
-struct DraftedProject {
-    project: Project,
-    /// The file or folder that it was read from; `None` if the shader is a part of its document.
-    path: Option<PathBuf>,
-}
-
-fn draft(snapshot: &Snapshot, document: &Document, shader: usize) -> Answer<DraftedProject> {
-    let own = Path::new(&document.path);
-    let drafted = |project: Result<Project, String>, path| match project {
-        Ok(project) => Ok(DraftedProject { project, path }),
-        Err(error) => Err(Failure::refused(error)),
-    };
-    if document.path.ends_with(".json") {
-        let project = Project::from_json(&document.text).map_err(|e| e.to_string());
-        return drafted(project, Some(own.to_path_buf()));
+/// The project of a shader of a document. A document that is one shader is opened as every command
+/// opens its file.
+fn draft(snapshot: &Snapshot, document: &Document, shader: usize) -> Answer<OpenedProject> {
+    let is_part = document.report.holds_shaders() || document.report.analyses.len() > 1;
+    let is_export = document.path.ends_with(".json");
+    if is_part && !is_export {
+        let project = ide::preview_project(document, shader);
+        let project = project.map_err(|e| Failure::refused(e.to_string()))?;
+        return Ok(OpenedProject::of(project));
     }
-    let parts = parts(snapshot, document);
-    let has_image = parts.iter().any(|part| part.role == PassRole::Image);
-    if let Some(folder) = own.parent().filter(|_| parts.len() > 1 && has_image) {
-        let title = folder.file_name().map(|name| name.to_string_lossy());
-        let title = title.unwrap_or("shader".into());
-        let project = Project::from_parts(&title, parts).map_err(|e| e.to_string());
-        return drafted(project, Some(folder.to_path_buf()));
-    }
-    let project = ide::preview_project(document, shader).map_err(|e| e.to_string());
-    let is_alone = document.report.analyses.len() == 1;
-    drafted(project, is_alone.then(|| own.to_path_buf()))
-}
-
-/// The passes in the folder of a document that is named like a pass.
-fn parts(snapshot: &Snapshot, document: &Document) -> Vec<PassFile> {
-    let own = Path::new(&document.path);
-    let (Some(folder), Some(name)) = (own.parent(), own.file_name()) else {
-        return Vec::new();
-    };
-    if role_of(&name.to_string_lossy()).is_none() {
-        return Vec::new();
-    }
-    let mut names = snapshot.files.names(folder);
-    names.sort_unstable();
-    let part = names.into_iter().filter_map(|name| {
-        let role = role_of(&name)?;
-        let path = folder.join(&name);
-        let code = match path == own {
-            true => document.text.clone(),
-            false => snapshot.files.load(&path).ok()?,
-        };
-        Some(PassFile {
-            role,
-            file: name,
-            code,
-        })
-    });
-    part.collect()
-}
-
-/// The role of a file according to its name.
-fn role_of(name: &str) -> Option<PassRole> {
-    let (stem, extension) = name.rsplit_once('.')?;
-    let is_shader = shadertoy().is_some_and(|host| host.has_extension(extension));
-    PassRole::of_name(stem).filter(|_| is_shader)
+    let access = document.options.file_access(&snapshot.files);
+    let draft = open_file(&document.path, &document.text, None, access);
+    draft.map_err(Failure::refused)
 }

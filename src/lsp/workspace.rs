@@ -7,7 +7,7 @@ use shaderlint_engine::config::{
 };
 use shaderlint_format::StyleChoice;
 use shaderlint_project::Files;
-use shaderlint_project::Project;
+use shaderlint_project::{GivenOrder, NoMedia, Project};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -54,13 +54,13 @@ pub trait Workspace: Send + Sync {
     /// Writes a page where a browser can open it, and returns its URI.
     fn write_page(&self, name: &str, content: &str) -> Option<Uri>;
 
-    /// Puts on the channels of a project what a file next to `input`, a shader or a folder of
-    /// passes, gives them.
+    /// Puts on the channels of a project what files beside it give them. Without access to media,
+    /// these are passes and devices.
     ///
     /// # Errors
-    /// A message if the file is invalid.
-    fn put_channels(&self, _project: &mut Project, _input: &Path) -> Result<(), String> {
-        Ok(())
+    /// A message if an order cannot be carried out.
+    fn put_channels(&self, project: &mut Project, orders: &[GivenOrder]) -> Result<(), String> {
+        project.put_all(orders, &mut NoMedia)
     }
 
     /// The same workspace with other folders and with its configurations read again.

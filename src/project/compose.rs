@@ -140,10 +140,9 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
     let mut units = Vec::new();
     for &(pass, file) in alone {
         let found = project.passes.get(pass)?;
-        let key = (found.kind, found.channels());
         let mut files = Vec::new();
         if found.wrapper == Wrapper::Player {
-            files.push(headers.iter().find(|h| (h.0, h.1) == key)?.2);
+            files.push(headers.iter().find(|(header, _)| *header == pass)?.1);
             files.extend(commons.iter().map(|(_, f)| *f).filter(|f| *f != file));
         }
         let around = |sources: &mut Sources, text: &Arc<str>| match text.is_empty() {
@@ -179,19 +178,30 @@ pub fn compose(project: &Project, path: &str) -> Option<Composed> {
     })
 }
 
-/// The headers, one for each combination of pass kind and channel types.
-fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(Pass, Channels, FileId)>> {
-    let mut headers: Vec<(Pass, Channels, FileId)> = Vec::new();
-    for pass in project
+/// The headers of the passes that the player completes, each once. A pass in a file may declare
+/// uniforms of the player itself.
+fn headers(project: &Project, sources: &mut Sources) -> Option<Vec<(usize, FileId)>> {
+    let commons: String = project.commons().map(|pass| &*pass.code).collect();
+    let mut known: Vec<(String, FileId)> = Vec::new();
+    let mut headers = Vec::new();
+    let player = |pass: &&ProjectPass| pass.wrapper == Wrapper::Player;
+    for (i, pass) in project
         .passes
         .iter()
-        .filter(|p| p.wrapper == Wrapper::Player)
+        .enumerate()
+        .filter(|(_, pass)| player(pass))
     {
-        let (kind, channels) = (pass.kind, pass.channels());
-        if !headers.iter().any(|h| (h.0, h.1) == (kind, channels)) {
-            let text = kind.host().prelude(channels);
-            headers.push((kind, channels, sources.add("", None, Role::Prelude, text)?));
-        }
+        let host = pass.kind.host();
+        let text = match project.is_export {
+            true => host.prelude(pass.channels()),
+            false => host.prelude_beside(pass.channels(), &format!("{commons}{}", pass.code)),
+        };
+        let id = match known.iter().find(|(known, _)| *known == text) {
+            Some((_, id)) => *id,
+            None => sources.add("", None, Role::Prelude, text.clone())?,
+        };
+        known.push((text, id));
+        headers.push((i, id));
     }
     Some(headers)
 }

@@ -4,6 +4,7 @@
 //! A [`Project`] contains what ShaderToy stores of a shader, or a complete shader of another host;
 //! [`compose`] assembles each pass as the player compiles it. Everything outside of the text itself
 //! is asked of [`Files`], so that each front sees the same project.
+#![cfg_attr(test, allow(clippy::string_slice))]
 
 mod access;
 mod compose;
@@ -14,6 +15,7 @@ mod files;
 mod include;
 mod input;
 mod media;
+mod open;
 mod project;
 mod repair;
 mod signature;
@@ -28,12 +30,12 @@ pub use dialect::{
     may_be_composed, plan, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
+pub use files::family::{Family, common_of, family, is_common};
 pub use files::file_cache::FileCache;
 pub use files::repository::{counts, hash};
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
-pub use include::{
-    Absence, FileMoves, Hushed, MissingInclude, Spread, is_common, moved_includes, spread,
-};
+pub use include::gathered::{GatheredText, gather};
+pub use include::{Absence, FileMoves, Hushed, MissingInclude, Spread, moved_includes, spread};
 pub use input::assumed::AssumedInput;
 pub use input::channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use input::export::{MAX_EXPORT, ProjectError, exports_in};
@@ -41,6 +43,10 @@ pub use input::parts::{PartsError, PassFile, PassRole, saver_roles, unknown_pass
 pub use input::single::ShaderError;
 pub use input::supply::{Missing, missing};
 pub use media::{Generator, StandIn, add_stand_ins, is_gray};
+pub use open::{
+    GivenOrder, MediaFiles, NoMedia, OpenedProject, SingleShader, channel_file, folder_passes,
+    open_file, open_passes, read_siblings,
+};
 pub use project::{
     Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, SignalForm, Wrapper,
 };

@@ -1,6 +1,6 @@
 //! ShaderToy projects: passes and the inputs of their channels.
 
-use super::{Bindings, PassDraw, StandIn, UniformControl};
+use super::{Bindings, Completion, PassDraw, StandIn, UniformControl};
 use shaderlint_host::Preset;
 use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
 use shaderlint_text::TextPiece;
@@ -367,6 +367,21 @@ impl ProjectPass {
             draw: PassDraw::default(),
             file: None,
             pieces: Vec::new(),
+        }
+    }
+
+    /// A pass that a host completes.
+    pub fn completed(kind: Pass, completion: Completion) -> ProjectPass {
+        ProjectPass {
+            wrapper: Wrapper::Own,
+            before: completion.before,
+            after: completion.after,
+            stage: completion.stage,
+            draw: PassDraw {
+                is_float: kind == Pass::Buffer,
+                ..PassDraw::default()
+            },
+            ..ProjectPass::new(kind, completion.code)
         }
     }
 

@@ -86,7 +86,7 @@ fn labels(sources: &Sources, diagnostic: &Diagnostic) -> Vec<(String, Vec<String
 
 /// `line:column`
 fn place(sources: &Sources, at: u32) -> String {
-    let position = sources.file_at(at).map(|f| f.position(at));
+    let position = sources.file_at(at).map(|f| f.shown_position(at));
     position.map_or("1:1".to_string(), |p| format!("{}:{}", p.line, p.column))
 }
 
@@ -156,7 +156,10 @@ fn fix_in_words(sources: &Sources, fix: &Fix, at: Span, notes: &mut SeenNotes) -
 /// The first and last line that an edit deletes, if it deletes whole lines and nothing else.
 fn complete_lines(sources: &Sources, edit: &Edit) -> Option<(u32, u32)> {
     let file = sources.file_at(edit.span.start)?;
-    let (start, end) = (file.position(edit.span.start), file.position(edit.span.end));
+    let (start, end) = (
+        file.shown_position(edit.span.start),
+        file.shown_position(edit.span.end),
+    );
     let is_complete = start.column == 1 && end.column == 1 && end.line > start.line;
     (is_complete && edit.text.is_empty()).then_some((start.line, end.line - 1))
 }

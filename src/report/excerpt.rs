@@ -43,14 +43,16 @@ impl Excerpt {
     /// Collects the lines of the labels of `diagnostic`. Of a span over several lines only the
     /// first is shown.
     pub fn new(sources: &Sources, diagnostic: &Diagnostic) -> Excerpt {
-        let mut by_file: BTreeMap<FileId, Vec<Span>> = BTreeMap::new();
+        let mut by_file: BTreeMap<(FileId, &str), Vec<Span>> = BTreeMap::new();
         let labels = diagnostic.labels.iter().map(|l| l.span);
         for span in std::iter::once(diagnostic.span).chain(labels) {
-            if let Some(file) = sources.file_id_at(span.start) {
-                by_file.entry(file).or_default().push(span);
+            let id = sources.file_id_at(span.start);
+            if let Some((id, file)) = id.and_then(|id| Some((id, sources.file(id)?))) {
+                let path = file.shown_path(span.start);
+                by_file.entry((id, path)).or_default().push(span);
             }
         }
-        let part = |(id, inside): (FileId, Vec<Span>)| {
+        let part = |((id, _), inside): ((FileId, &str), Vec<Span>)| {
             let file = sources.file(id)?;
             let name = location_name(sources, *inside.first()?);
             Some((file.base, ExcerptPart::new(file, name, &inside)))
@@ -90,7 +92,10 @@ impl ExcerptPart {
             lines: Vec::new(),
         };
         for (number, span) in numbered {
-            let last = part.lines.last().map(|l| l.number);
+            let last = part
+                .lines
+                .last()
+                .map(|l| file.lines().line(l.from - file.base));
             if last == Some(number) {
                 continue;
             }
@@ -119,7 +124,7 @@ impl ExcerptPart {
         let prefix = if cut > 0 { "... " } else { "" };
         let from = file.base + (start + cut) as u32;
         self.lines.push(ExcerptLine {
-            number,
+            number: file.origin(number).1,
             from,
             to: from + shown.len() as u32,
             start: self.text.len(),

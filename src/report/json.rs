@@ -45,7 +45,7 @@ impl Range {
                 utf16: 1,
                 byte: 0,
             };
-            file.map_or(nowhere, |f| f.position(address)).into()
+            file.map_or(nowhere, |f| f.shown_position(address)).into()
         };
         Range {
             start: place(span.start),
@@ -140,7 +140,7 @@ fn convert<'a>(
         message: &d.label,
     });
     JsonDiagnostic {
-        file: file.map_or("", |f| &f.path),
+        file: file.map_or("", |f| f.shown_path(d.span.start)),
         pass: pass_at(d.span),
         rule: d.rule,
         severity: d.severity.name(),

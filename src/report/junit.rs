@@ -47,7 +47,7 @@ pub(super) fn file(name: &str, sources: &Sources, found: &[Diagnostic]) -> Strin
 
 fn finding(name: &str, sources: &Sources, d: &Diagnostic) -> XmlElement {
     let file = sources.file_at(d.span.start);
-    let position = file.map(|f| f.position(d.span.start));
+    let position = file.map(|f| f.shown_position(d.span.start));
     let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
     let text = render(sources, d);
     let content = match d.severity {

@@ -24,7 +24,7 @@ pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> Stri
     let file = sources.file_at(diagnostic.span.start);
     match file.and_then(|f| Some((f, f.part.as_ref()?))) {
         Some((file, part)) => {
-            let at = file.position(diagnostic.span.start);
+            let at = file.shown_position(diagnostic.span.start);
             let part = clean(part);
             format!("{message} ({part}, line {}, column {})", at.line, at.column)
         }
@@ -74,7 +74,7 @@ fn line(sources: &Sources, span: Span, beside: Span) -> String {
     let Some(file) = sources.file_at(span.start) else {
         return String::new();
     };
-    let line = file.position(span.start).line;
+    let line = file.shown_position(span.start).line;
     match (sources.file_at(beside.start), &file.part) {
         (Some(other), part) if other.path == file.path && other.part == *part => line.to_string(),
         (Some(other), Some(part)) if other.path == file.path => {

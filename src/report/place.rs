@@ -7,12 +7,17 @@ use shaderlint_text::{Position, Sources, Span};
 /// escaped in the file.
 pub(super) fn region(sources: &Sources, span: Span) -> Option<(Position, Position)> {
     let file = sources.file_at(span.start).filter(|f| f.part.is_none())?;
-    Some((file.position(span.start), file.position(span.end)))
+    Some((
+        file.shown_position(span.start),
+        file.shown_position(span.end),
+    ))
 }
 
 /// The path of the file that contains a span, relative to `root` if it is inside of it.
 pub(super) fn path<'a>(sources: &'a Sources, span: Span, root: &str) -> &'a str {
-    let path = sources.file_at(span.start).map_or("", |f| &f.path);
+    let path = sources
+        .file_at(span.start)
+        .map_or("", |f| f.shown_path(span.start));
     path.strip_prefix(root).unwrap_or(path)
 }
 
@@ -21,7 +26,7 @@ pub(super) fn location_name(sources: &Sources, span: Span) -> String {
     match sources.file_at(span.start) {
         Some(file) => match &file.part {
             Some(part) => format!("{} ({})", clean(&file.path), clean(part)),
-            None => clean(&file.path),
+            None => clean(file.shown_path(span.start)),
         },
         None => String::new(),
     }

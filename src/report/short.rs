@@ -9,7 +9,9 @@ use std::io::{self, Write};
 /// Writes one finding.
 pub fn write(out: &mut impl Write, sources: &Sources, diagnostic: &Diagnostic) -> io::Result<()> {
     let span = diagnostic.span;
-    let position = sources.file_at(span.start).map(|f| f.position(span.start));
+    let position = sources
+        .file_at(span.start)
+        .map(|f| f.shown_position(span.start));
     let (line, column) = position.map_or((1, 1), |p| (p.line, p.column));
     writeln!(
         out,

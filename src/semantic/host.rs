@@ -3,6 +3,7 @@
 use super::builtins::Stage;
 use super::dialect::{Channels, Dialect, Pass};
 use super::types::Sampler;
+use shaderlint_syntax::{Lexer, RawKind};
 
 /// A host that runs shaders.
 #[derive(Debug)]
@@ -246,11 +247,113 @@ impl Host {
         text.push_str(&"\n".repeat(missing));
         text
     }
+
+    /// The text added before a file that may declare uniforms of the host itself, as programs that
+    /// play such files need it. The lines of these uniforms are empty.
+    pub fn prelude_beside(&self, channels: Channels, code: &str) -> String {
+        let text = self.prelude(channels);
+        let own = uniforms_in(code);
+        if own.is_empty() {
+            return text;
+        }
+        let is_own = |line: &str| match &uniforms_in(line)[..] {
+            [uniform] => own.iter().any(|own| own.name == uniform.name),
+            _ => false,
+        };
+        let lines = text.lines().map(|line| {
+            if is_own(line) {
+                "\n".to_string()
+            } else {
+                format!("{line}\n")
+            }
+        });
+        lines.collect()
+    }
+
+    /// Whether the host sets a uniform with this name and type. It decides what samplers read.
+    pub fn sets(&self, name: &str, ty: &str) -> bool {
+        let is_sampler = |ty: &str| ty.starts_with("sampler");
+        let all = uniforms_in(&self.prelude([None; 4]));
+        let mut named = all.iter().filter(|uniform| uniform.name == name);
+        named.any(|uniform| uniform.ty == ty || is_sampler(&uniform.ty) && is_sampler(ty))
+    }
+}
+
+/// A uniform in a text.
+struct NamedUniform {
+    /// The type, with array sizes.
+    ty: String,
+    name: String,
+}
+
+/// The uniforms that a text declares, except under conditions.
+fn uniforms_in(code: &str) -> Vec<NamedUniform> {
+    let mut found = Vec::new();
+    if !code.contains("uniform") {
+        return found;
+    }
+    let mut lexer = Lexer::new(code, 0);
+    let mut conditions = 0_usize;
+    let mut is_directive = false;
+    // The words of the current declaration after `uniform`.
+    let mut words: Option<Vec<&str>> = None;
+    loop {
+        let token = lexer.next_token();
+        let range = token.span.start as usize..token.span.end as usize;
+        let word = code.get(range).unwrap_or("");
+        match token.kind {
+            RawKind::End => return found,
+            RawKind::Hash => is_directive = true,
+            RawKind::Whitespace | RawKind::Newline => {}
+            RawKind::Word if std::mem::take(&mut is_directive) => match word {
+                "if" | "ifdef" | "ifndef" => conditions += 1,
+                "endif" => conditions = conditions.saturating_sub(1),
+                _ => {}
+            },
+            RawKind::Word if word == "uniform" => words = (conditions == 0).then(Vec::new),
+            _ if word == ";" => {
+                if let Some([ty, name, dims @ ..]) = words.take().as_deref() {
+                    found.push(NamedUniform {
+                        ty: format!("{ty}{}", dims.concat()),
+                        name: (*name).to_string(),
+                    });
+                }
+            }
+            _ if matches!(word, "lowp" | "mediump" | "highp") => {}
+            _ => words.iter_mut().for_each(|words| words.push(word)),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn uniforms_that_a_file_declares_itself_are_left_out() {
+        let code = "uniform highp vec3 iResolution;\nuniform samplerCube iChannel1;\n\
+            #ifdef OTHER\nuniform vec4 iMouse;\n#endif\n";
+        let all = IMAGE.prelude([None; 4]);
+        let left = IMAGE.prelude_beside([None; 4], code);
+        let lines = all.lines().zip(left.lines());
+        let gone: Vec<&str> = lines.filter(|(a, b)| a != b).map(|(a, _)| a).collect();
+        assert_eq!(gone.len(), 2, "{gone:?}");
+        assert!(
+            gone[0].contains("iResolution") && gone[1].contains("iChannel1"),
+            "{gone:?}"
+        );
+        assert_eq!(all.lines().count(), left.lines().count());
+        let sets = [
+            ("iTime", "float"),
+            ("iTime", "int"),
+            ("iChannel0", "sampler3D"),
+        ];
+        assert_eq!(
+            sets.map(|(name, ty)| IMAGE.sets(name, ty)),
+            [true, false, true]
+        );
+        assert!(IMAGE.sets("iChannelTime", "float[4]"));
+    }
 
     /// The header lengths of ShaderToy, counted in its code and confirmed on the site.
     #[test]

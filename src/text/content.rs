@@ -32,6 +32,22 @@ impl Content {
         }
     }
 
+    /// Decodes UTF-16 with a byte order mark, as some shells write it.
+    pub fn utf16(bytes: &[u8]) -> Option<String> {
+        let (rest, is_little) = match bytes {
+            [0xff, 0xfe, rest @ ..] => (rest, true),
+            [0xfe, 0xff, rest @ ..] => (rest, false),
+            _ => return None,
+        };
+        let pairs = rest.chunks_exact(2).filter_map(|p| p.try_into().ok());
+        let unit = |pair| match is_little {
+            true => u16::from_le_bytes(pair),
+            false => u16::from_be_bytes(pair),
+        };
+        let units: Vec<u16> = pairs.map(unit).collect();
+        Some(String::from_utf16_lossy(&units))
+    }
+
     /// Decodes the bytes of a file.
     pub fn of(bytes: Vec<u8>) -> Content {
         let error = match String::from_utf8(bytes) {

@@ -28,7 +28,7 @@ pub enum Role {
 pub struct TextPiece {
     /// Its first line in the text, from 1.
     pub start: u32,
-    /// Path of the file, relative to the folder of the text; empty for the text's own file.
+    /// Path of the file as in messages; empty for the text's own file.
     pub file: String,
     /// Its first line in the file, from 1.
     pub line: u32,
@@ -64,18 +64,29 @@ impl SourceFile {
     }
 
     /// The file that a line is from, and its line there.
-    pub fn origin(&self, line: u32) -> (String, u32) {
+    pub fn origin(&self, line: u32) -> (&str, u32) {
         let after = self.pieces.partition_point(|piece| piece.start <= line);
         let piece = after.checked_sub(1).and_then(|at| self.pieces.get(at));
         let Some(piece) = piece else {
-            return (self.path.clone(), line);
+            return (&self.path, line);
         };
-        let path = match (piece.file.as_str(), self.path.rsplit_once('/')) {
-            ("", _) => self.path.clone(),
-            (file, None) => file.to_string(),
-            (file, Some((folder, _))) => format!("{folder}/{file}"),
+        let path = match piece.file.as_str() {
+            "" => &self.path,
+            file => file,
         };
         (path, piece.line + line - piece.start)
+    }
+
+    /// The position of an address in the file that it is from, as messages show it.
+    pub fn shown_position(&self, address: u32) -> Position {
+        let position = self.position(address);
+        let (_, line) = self.origin(position.line);
+        Position { line, ..position }
+    }
+
+    /// The path of the file that an address is from.
+    pub fn shown_path(&self, address: u32) -> &str {
+        self.origin(self.position(address).line).0
     }
 
     /// Line and columns of an address in this file; addresses outside are clamped.

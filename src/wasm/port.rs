@@ -148,7 +148,10 @@ mod tests {
             "{none}"
         );
         let name = wrong(json!({ "name": "x", "passes": { "noise.glsl": BUFFER } }));
-        assert_eq!(name, "noise.glsl: the file name does not match a pass");
+        assert!(
+            name.starts_with("noise.glsl: the file name does not match a pass"),
+            "{name}"
+        );
         let passes = json!({ "image.glsl": BUFFER });
         let channel = wrong(json!({ "name": "x", "passes": passes, "channels": ["0=buffer_b"] }));
         assert!(

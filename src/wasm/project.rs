@@ -1,9 +1,12 @@
 //! Shaders and exports as projects.
 
+use crate::files::MemoryFiles;
 use serde::Deserialize;
 use shaderlint_commands::run::Loaded;
-use shaderlint_detect::kind::{Claim, FileKind, decide};
-use shaderlint_project::{ChannelOrder, Composed, PassFile, PassRole, Project, add_stand_ins};
+use shaderlint_engine::Options;
+use shaderlint_project::{
+    Composed, NoFiles, NoMedia, OpenedProject, Project, add_stand_ins, open_file, open_passes,
+};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -27,13 +30,11 @@ pub struct ShaderText {
 pub fn load(shader: &ShaderText) -> Result<(Project, Composed), String> {
     let name = &shader.name;
     let wrong = |error: &dyn std::fmt::Display| format!("{name}: {error}");
-    let mut project = draft(shader)?;
+    let mut draft = draft(shader)?;
+    draft.order(&shader.channels)?;
+    let mut project = draft.project;
     let composed = project.resolve(name).map_err(|e| wrong(&e))?;
-    for text in &shader.channels {
-        let order = ChannelOrder::read(text).map_err(|e| format!("{text}: {e}"))?;
-        let put = project.put(&order, None);
-        put.map_err(|e| format!("{text}: {e}"))?;
-    }
+    project.put_all(&draft.orders, &mut NoMedia)?;
     add_stand_ins(&mut project);
     let composed = project.renew(composed, name).map_err(|e| wrong(&e))?;
     Ok((project, composed))
@@ -53,32 +54,21 @@ pub fn valid(shader: &ShaderText) -> Result<Loaded, String> {
     }
 }
 
-/// The project of a shader, an export or a folder of passes, as the command line reads them.
-fn draft(shader: &ShaderText) -> Result<Project, String> {
-    let ShaderText { name, text, .. } = shader;
-    let wrong = |error: &dyn std::fmt::Display| format!("{name}: {error}");
-    let title = Path::new(name).file_stem().unwrap_or_default();
-    let title = title.to_string_lossy();
-    if !shader.passes.is_empty() {
-        let files = shader.passes.iter().map(pass_file);
-        let files = files.collect::<Result<Vec<_>, _>>()?;
-        return Project::from_parts(&title, files).map_err(|e| e.to_string());
+/// Opens a shader, an export or passes, as the command line does.
+fn draft(shader: &ShaderText) -> Result<OpenedProject, String> {
+    let options = Options::default();
+    if shader.passes.is_empty() {
+        return open_file(
+            &shader.name,
+            &shader.text,
+            None,
+            options.file_access(&NoFiles),
+        );
     }
-    let is_export = decide(name, text, Claim::None).kind == FileKind::Export;
-    match is_export {
-        true => Project::from_json(text).map_err(|e| wrong(&e)),
-        false => Project::from_shader(&title, text).map_err(|e| wrong(&e)),
-    }
-}
-
-/// A file whose name says which pass it is.
-fn pass_file((path, code): (&PathBuf, &String)) -> Result<PassFile, String> {
-    let stem = path.file_stem().unwrap_or_default();
-    let role = PassRole::of_name(&stem.to_string_lossy());
-    let file = path.to_string_lossy().into_owned();
-    Ok(PassFile {
-        role: role.ok_or_else(|| format!("{file}: the file name does not match a pass"))?,
-        file,
-        code: code.as_str().into(),
-    })
+    let files = MemoryFiles::new(&shader.passes);
+    let passes: Vec<PathBuf> = shader.passes.keys().cloned().collect();
+    let mut draft = open_passes(&passes, &[], options.file_access(&files))?;
+    let title = Path::new(&shader.name).file_stem().unwrap_or_default();
+    draft.project.info.name = title.to_string_lossy().into_owned();
+    Ok(draft)
 }

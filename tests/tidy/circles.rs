@@ -93,7 +93,11 @@ const LEFT_OF_FOLDERS: &[&[&str]] = &[
         "src/lint/sample/",
         "src/lint/settings.rs",
     ],
-    &["src/project/media/", "src/project/project.rs"],
+    &[
+        "src/project/dialect/",
+        "src/project/media/",
+        "src/project/project.rs",
+    ],
     &["src/explain/root_cause/", "src/explain/single_pass.rs"],
     // The problems are listed in one enum.
     &["src/semantic/checker/", "src/semantic/problem.rs"],

@@ -42,20 +42,6 @@ pub fn host_of(name: &str) -> Result<&'static Preset, String> {
     Ok(kept(own))
 }
 
-/// The outermost folder of the project that contains a file; `None` if nothing marks one.
-pub fn project_root(path: &Path) -> Option<PathBuf> {
-    configs(ConfigArgs::default()).project_root(path)
-}
-
-/// The host set in the configuration of a file.
-///
-/// # Errors
-/// A message if the configuration is invalid.
-pub fn configured_host(path: &Path) -> Result<Option<&'static Preset>, String> {
-    let options = configs(ConfigArgs::default()).options(path);
-    Ok(options.map_err(|e| e.to_string())?.host.preset)
-}
-
 /// An absolute path without `..`, resolved lexically.
 pub fn absolute(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());

@@ -10,8 +10,7 @@ use crate::engine::Options;
 use crate::engine::config::ConfigProblem;
 use crate::format::StyleChoice;
 use crate::lsp::{SampleRuns, Workspace, WorkspaceConfigs};
-use crate::project::Files;
-use crate::project::Project;
+use crate::project::{Files, GivenOrder, Project};
 use gen_lsp_types::Uri;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -85,8 +84,8 @@ impl Workspace for DiskWorkspace {
         self.pages.write_anew(name, content)
     }
 
-    fn put_channels(&self, project: &mut Project, input: &Path) -> Result<(), String> {
-        put_channels(project, input, &[]).map(|_| ())
+    fn put_channels(&self, project: &mut Project, orders: &[GivenOrder]) -> Result<(), String> {
+        put_channels(project, orders).map(|_| ())
     }
 
     fn renewed(&self, folders: &[PathBuf]) -> Arc<dyn Workspace> {

@@ -1,22 +1,21 @@
 //! Loads a project from paths: shader files, folders, exports, and the inputs of channels.
 
 use super::args::PortArgs;
-use super::channels::{GivenOrder, file_of, orders};
-use super::media::{Carried, is_cube};
-use super::read::{plain_error, read_text};
-use super::siblings::{draft_with_siblings, folder_of};
-use crate::cli::config::{configured_host, host_of};
-use crate::detect::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
-use crate::engine::{Repairs, modernize, repair};
-use crate::host::{Preset, shadertoy};
+use super::media::{Carried, folder_of};
+use super::read::read_text;
+use crate::cli::config::{configs, host_of};
+use crate::cli::disk::Disk;
+use crate::engine::config::{ConfigArgs, Configs};
+use crate::engine::{Options, Repairs, modernize, repair};
+use crate::host::Preset;
 use crate::project::{
-    ChannelName, ChannelSource, Composed, PassFile, PassRole, Project, ShaderError, SiblingTexts,
-    add_stand_ins, saver_roles, unknown_pass, unknown_source,
+    ChannelName, Composed, GivenOrder, OpenedProject, PassRole, Project, ShaderError, SingleShader,
+    add_stand_ins, channel_file, open_file, open_passes, unknown_pass,
 };
 use crate::semantic::Pass;
 use crate::text::path::slashed;
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 pub(super) struct LoadedProject {
     pub(super) project: Project,
@@ -33,45 +32,32 @@ pub(super) struct LoadedProject {
 
 /// Loads the project that the arguments describe.
 pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
-    let mut orders = args.orders()?;
-    let mode = if args.repair || args.diff {
-        Mode::Repair
-    } else {
-        Mode::AsItIs
-    };
-    let Drafted {
-        mut project,
-        mut repairs,
-        mut given,
-        mut renamed,
-        siblings,
-    } = match &args.input[..] {
-        [] if args.pass.is_empty() => {
-            return Err(USAGE.to_string());
-        }
-        [one] if let Some(text) = &args.text => Drafted::of(export(&slashed(one), text)?),
-        [one] if args.pass.is_empty() && !one.is_dir() => {
-            one_file(one, mode, host(args.host.as_deref())?)?
-        }
-        several => Drafted::of(parts(several, &args.pass)?),
-    };
+    let configs = configs(ConfigArgs {
+        paths: args.input.clone(),
+        ..ConfigArgs::default()
+    });
+    let OpenedProject {
+        project,
+        single,
+        mut read,
+        mut orders,
+        ..
+    } = open(args, &configs)?;
     let name = name_of(args);
     let wrong = |e: ShaderError| format!("{name}: {e}");
-    let mut composed = project.resolve(&name).map_err(wrong)?;
-    if (mode == Mode::Repair || project.host.is_some() && composed.has_errors())
-        && repairs.is_empty()
-        && repairs.left.is_none()
-        && let Some((fixed, renewed, repaired)) = apply_repairs(&project, &composed, &name, mode)?
-    {
-        given = Some(std::mem::replace(&mut composed, renewed));
-        renamed = project.renamed_samplers(&fixed);
-        (project, repairs) = (fixed, repaired);
-    }
-    if project
-        .passes
-        .iter()
-        .all(|p| !matches!(p.kind, Pass::Image | Pass::Cubemap | Pass::Sound))
-    {
+    let mode = match args.repair || args.diff {
+        true => Mode::Repair,
+        false => Mode::AsItIs,
+    };
+    let Repaired {
+        mut project,
+        composed,
+        repairs,
+        given,
+        renamed,
+    } = repaired(project, single.as_ref(), &name, mode)?;
+    let draws = |pass: Pass| matches!(pass, Pass::Image | Pass::Cubemap | Pass::Sound);
+    if !project.passes.iter().any(|pass| draws(pass.kind)) {
         return Err(format!("{name}: no pass of type `image`"));
     }
     let mut carried = Carried::new(args.max_media, "; raise it with `--max-media SIZE`");
@@ -84,7 +70,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         carried.find(&mut project, folder_of(path))?;
     }
     follow_repairs(&mut orders, &renamed);
-    put(&mut project, &orders, &mut carried)?;
+    project.put_all(&orders, &mut carried)?;
     let mut notes = carried.notes();
     if args.strict_player {
         project.share_samplers();
@@ -96,10 +82,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     if !args.no_stand_ins {
         add_stand_ins(&mut project);
     }
-    let mut read = files_of(args)?;
-    if let Some(path) = args.input.first() {
-        read.extend(siblings.keys().map(|asked| folder_of(path).join(asked)));
-    }
+    read.extend(args.input.iter().filter(|path| path.is_file()).cloned());
     read.extend(carried.paths().cloned());
     let mut composed = project.renew(composed, &name).map_err(wrong)?;
     composed.choose_sliders(args.sliders);
@@ -110,6 +93,68 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         given,
         read,
         notes,
+    })
+}
+
+/// A project after repairs.
+struct Repaired {
+    project: Project,
+    composed: Composed,
+    repairs: Repairs,
+    /// The composed passes before the repairs, if there were any.
+    given: Option<Composed>,
+    /// The samplers that were renamed, with the new names.
+    renamed: Vec<(String, String)>,
+}
+
+/// Converts and repairs a project, if that is asked for or necessary.
+fn repaired(
+    mut project: Project,
+    single: Option<&SingleShader>,
+    name: &str,
+    mode: Mode,
+) -> Result<Repaired, String> {
+    let wrong = |e: ShaderError| format!("{name}: {e}");
+    let old = single
+        .filter(|single| mode == Mode::Repair && project.modernized(&single.text.text).is_some());
+    if let Some(single) = old {
+        let text = &*single.text.text;
+        let repairs = modernize(&project, name, text, |text| single.draft(text).ok());
+        let repairs = repairs.ok_or(wrong(ShaderError::TooLarge))?;
+        let given = project.resolve(name).map_err(wrong)?;
+        let mut repaired = single
+            .draft(repairs.text().unwrap_or(text))
+            .map_err(wrong)?;
+        let composed = repaired.resolve(name).map_err(wrong)?;
+        if !repairs.is_empty() || repairs.left.is_some() {
+            return Ok(Repaired {
+                renamed: project.renamed_samplers(&repaired),
+                project: repaired,
+                composed,
+                repairs,
+                given: Some(given),
+            });
+        }
+        project = repaired;
+    }
+    let composed = project.resolve(name).map_err(wrong)?;
+    if (mode == Mode::Repair || project.host.is_some() && composed.has_errors())
+        && let Some((fixed, renewed, repairs)) = apply_repairs(&project, &composed, name, mode)?
+    {
+        return Ok(Repaired {
+            renamed: project.renamed_samplers(&fixed),
+            project: fixed,
+            composed: renewed,
+            repairs,
+            given: Some(composed),
+        });
+    }
+    Ok(Repaired {
+        project,
+        composed,
+        repairs: Repairs::default(),
+        given: None,
+        renamed: Vec::new(),
     })
 }
 
@@ -133,55 +178,21 @@ fn apply_repairs(
     Ok(is_kept.then_some((fixed, renewed, repaired)))
 }
 
-/// Loads a file as a project without repairs. Returns the project and the files that it was loaded
-/// from. `from` is the host given by the user.
-pub(in crate::cli) fn draft(
-    path: &Path,
-    from: Option<&str>,
-) -> Result<(Project, Vec<PathBuf>), String> {
-    if path.is_dir() {
-        let files = in_folder(path)?.into_iter().map(|(_, path)| path);
-        let files = files.collect();
-        return Ok((parts(&[path.to_path_buf()], &[])?, files));
-    }
-    let drafted = one_file(path, Mode::AsItIs, host(from)?)?;
-    let siblings = drafted
-        .siblings
-        .keys()
-        .map(|asked| folder_of(path).join(asked));
-    let read = siblings.chain([path.to_path_buf()]).collect();
-    Ok((drafted.project, read))
-}
-
-/// The host given by the user.
-fn host(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
-    let named = from.map(|name| host_of(name).map_err(|e| format!("--host: {e}")));
-    named.transpose()
-}
-
 const USAGE: &str = "no input: pass a shader file, a ShaderToy export (.json) or a folder of passes; \
                      try `shaderport ocean.glsl -o ocean.html`, or `--help` for all options";
 
-impl PortArgs {
-    /// The channel orders of the user.
-    pub(super) fn orders(&self) -> Result<Vec<GivenOrder>, String> {
-        orders(self.input.first().map(PathBuf::as_path), &self.channel)
-    }
-}
-
-/// Applies the channel orders of the user and of a file next to the input. Returns the files that
-/// were read and notes about them.
+/// Applies the channel orders of a project that is not written. Returns the files that were read and
+/// notes about them.
 pub(in crate::cli) fn put_channels(
     project: &mut Project,
-    input: &Path,
-    channels: &[String],
+    orders: &[GivenOrder],
 ) -> Result<(Vec<PathBuf>, Vec<String>), String> {
-    let orders = orders(Some(input), channels)?;
     let mut carried = Carried::new(MOST_MEDIA, "");
-    put(project, &orders, &mut carried)?;
-    let mut read: Vec<PathBuf> = file_of(Some(input)).into_iter().collect();
-    read.extend(carried.paths().cloned());
-    Ok((read, carried.remarks().to_vec()))
+    project.put_all(orders, &mut carried)?;
+    Ok((
+        carried.paths().cloned().collect(),
+        carried.remarks().to_vec(),
+    ))
 }
 
 /// Samplers that repairs renamed are found by their old names, too.
@@ -195,37 +206,20 @@ fn follow_repairs(orders: &mut [GivenOrder], renamed: &[(String, String)]) {
     }
 }
 
-fn put(project: &mut Project, orders: &[GivenOrder], carried: &mut Carried) -> Result<(), String> {
-    for GivenOrder { by, order } in orders {
-        let wrong = |e| format!("{by}: {e}");
-        let media = match &order.source {
-            ChannelSource::File(path) if !Path::new(path).exists() => {
-                return Err(wrong(unknown_source(path)));
-            }
-            ChannelSource::File(path) => {
-                let is_cube = is_cube(project, order);
-                Some(carried.read(Path::new(path), is_cube).map_err(wrong)?)
-            }
-            _ => None,
-        };
-        project.put(order, media).map_err(wrong)?;
-    }
-    Ok(())
-}
-
-/// The shader files and order files that the arguments name.
-pub(super) fn files_of(args: &PortArgs) -> Result<Vec<PathBuf>, String> {
-    let input = args.input.first().map(PathBuf::as_path);
-    let mut files: Vec<PathBuf> = file_of(input).into_iter().collect();
-    for path in &args.input {
-        match path.is_dir() {
-            true => files.extend(in_folder(path)?.into_iter().map(|(_, path)| path)),
-            false => files.push(path.clone()),
-        }
-    }
-    let named = args.pass.iter().filter_map(|text| text.split_once('='));
-    files.extend(named.map(|(_, path)| PathBuf::from(path)));
-    Ok(files)
+/// The files and folders that the arguments name, which may not exist yet.
+pub(super) fn named_files(args: &PortArgs) -> Vec<PathBuf> {
+    let passes = args.pass.iter().filter_map(|text| text.split_once('='));
+    let passes = passes.map(|(_, path)| PathBuf::from(path));
+    let orders = args
+        .input
+        .first()
+        .map(|path| channel_file(path, &Disk::new()));
+    args.input
+        .iter()
+        .cloned()
+        .chain(passes)
+        .chain(orders)
+        .collect()
 }
 
 /// Largest media file for a project that is not written, in bytes.
@@ -243,242 +237,81 @@ pub(super) fn name_of(args: &PortArgs) -> String {
     args.input.first().map_or("passes".to_string(), slashed)
 }
 
-fn stem(path: &Path) -> String {
-    path.file_stem()
-        .map_or(String::new(), |s| s.to_string_lossy().into_owned())
-}
-
-struct Drafted {
-    project: Project,
-    /// Repairs that were already applied.
-    repairs: Repairs,
-    /// The composed passes before these repairs.
-    given: Option<Composed>,
-    /// The samplers that these repairs renamed, with the new names.
-    renamed: Vec<(String, String)>,
-    /// The companion files that it was loaded from.
-    siblings: SiblingTexts,
-}
-
-impl Drafted {
-    /// A project without companion files.
-    fn of(project: Project) -> Drafted {
-        Drafted {
-            project,
-            repairs: Repairs::default(),
-            given: None,
-            renamed: Vec::new(),
-            siblings: SiblingTexts::new(),
+/// Opens what the arguments name.
+fn open(args: &PortArgs, configs: &Configs) -> Result<OpenedProject, String> {
+    let disk = Disk::new();
+    let host = named_host(args.host.as_deref())?;
+    let mut draft = match &args.input[..] {
+        [] if args.pass.is_empty() => return Err(USAGE.to_string()),
+        [one] if args.pass.is_empty() && !one.is_dir() => {
+            open_one(one, args.text.as_deref(), host, configs)?
         }
+        several => {
+            let named: Result<Vec<_>, _> = args.pass.iter().map(|text| named_pass(text)).collect();
+            let first = several.first().map_or(Path::new(""), PathBuf::as_path);
+            let options = options_at(first, configs)?;
+            open_passes(several, &named?, options.file_access(&disk))?
+        }
+    };
+    draft.order(&args.channel)?;
+    Ok(draft)
+}
+
+/// Opens a file or a folder with the configuration that applies to it. `from` is the host given by
+/// the user.
+pub(in crate::cli) fn draft(path: &Path, from: Option<&str>) -> Result<OpenedProject, String> {
+    let configs = configs(ConfigArgs::default());
+    let host = named_host(from)?;
+    if path.is_dir() {
+        let options = options_at(path, &configs)?;
+        return open_passes(
+            &[path.to_path_buf()],
+            &[],
+            options.file_access(&Disk::new()),
+        );
     }
+    open_one(path, None, host, &configs)
 }
 
-/// The project of an export.
-fn export(name: &str, text: &str) -> Result<Project, String> {
-    Project::from_json(text).map_err(|e| format!("{name}: {e}"))
-}
-
-fn one_file(path: &Path, mode: Mode, from: Option<&'static Preset>) -> Result<Drafted, String> {
+fn open_one(
+    path: &Path,
+    text: Option<&str>,
+    host: Option<&'static Preset>,
+    configs: &Configs,
+) -> Result<OpenedProject, String> {
     let name = slashed(path);
-    let text = read_text(path)?;
-    let wrong = |e: String| format!("{name}: {e}");
-    if from.is_none() {
-        reject_other_languages(&name, &text)?;
-    }
-    if text.trim_start().starts_with(['{', '[']) {
-        return Ok(Drafted::of(export(&name, &text)?));
-    }
-    if text.trim_start().starts_with('<') && !text.contains("<klxml") {
-        return Err(wrong("expected a shader, found HTML or XML".to_string()));
-    }
-    if let FileKind::Holds(language) = decide(&name, &text, Claim::None).kind {
-        return Err(wrong(format!(
-            "expected a shader, found {language}; move the shader to a file of its own"
-        )));
-    }
-    let title = if name == "-" {
-        String::new()
-    } else {
-        stem(path)
+    let read;
+    let text = match text {
+        Some(text) => text,
+        None => {
+            read = read_text(path)?;
+            &read
+        }
     };
-    let from = match from {
-        None if name != "-" => configured_host(path)?,
-        from => from,
-    };
-    let mut siblings = SiblingTexts::new();
-    let mut draft = |text: &str| {
-        draft_with_siblings(path, &mut siblings, |siblings| {
-            Project::draft_with_siblings(&title, text, from, siblings)
-                .map_err(|e| wrong(e.to_string()))
-        })
-    };
-    let mut project = draft(&text)?;
-    let is_old = project.modernized(&text).is_some();
-    if mode == Mode::AsItIs || !is_old {
-        return Ok(Drafted {
-            siblings,
-            ..Drafted::of(project)
-        });
-    }
-    let repairs = modernize(&project, &name, &text, |text| draft(text).ok())
-        .ok_or_else(|| wrong("the shader is too large".to_string()))?;
-    let given = project.resolve(&name).map_err(|e| wrong(e.to_string()))?;
-    let mut repaired = draft(repairs.text().unwrap_or(&text))?;
-    repaired.resolve(&name).map_err(|e| wrong(e.to_string()))?;
-    Ok(Drafted {
-        renamed: project.renamed_samplers(&repaired),
-        project: repaired,
-        repairs,
-        given: Some(given),
-        siblings,
-    })
+    let options = options_at(path, configs)?;
+    open_file(&name, text, host, options.file_access(&Disk::new()))
 }
 
-/// Rejects a shader in a language that shaderport does not read, at the code that shows it.
-fn reject_other_languages(name: &str, text: &str) -> Result<(), String> {
-    let FileKind::Foreign(language) = decide(name, text, Claim::None).kind else {
-        return Ok(());
+/// The options for a file or for the passes in a folder.
+fn options_at(path: &Path, configs: &Configs) -> Result<Arc<Options>, String> {
+    let path = match path.is_dir() {
+        true => &path.join("image.glsl"),
+        false => path,
     };
-    if language == ShaderLanguage::Desktop {
-        return Ok(());
-    }
-    let sign = Evidence::of(text).first_sign(language).unwrap_or(0..0);
-    let before = text.get(..sign.start).unwrap_or("");
-    let line = before.matches('\n').count() + 1;
-    let found = match text.get(sign).unwrap_or("") {
-        "" => String::new(),
-        code => format!(": `{code}`"),
-    };
-    Err(format!(
-        "{name}:{line}: expected GLSL for ShaderToy, WebGL or another host, found {}{found}",
-        language.shader()
-    ))
+    configs.options(path).map_err(|e| e.to_string())
 }
 
-/// Assigns several files and folders, and the files of `--pass`, to passes.
-fn parts(paths: &[PathBuf], named: &[String]) -> Result<Project, String> {
-    let mut files: Vec<(PassRole, PathBuf)> = Vec::new();
-    let saver = programs(paths).filter(|_| named.is_empty());
-    let is_saver = saver.is_some();
-    for text in named {
-        let (role, path) = text
-            .split_once('=')
-            .ok_or_else(|| format!("--pass: expected `PASS=FILE`, found `{text}`"))?;
-        let role =
-            PassRole::of_name(role).ok_or_else(|| format!("--pass: {}", unknown_pass(role)))?;
-        files.push((role, PathBuf::from(path)));
-    }
-    files.extend(saver.unwrap_or_default());
-    for path in paths.iter().filter(|_| !is_saver) {
-        if path.is_dir() {
-            files.extend(in_folder(path)?);
-        } else {
-            let role = PassRole::of_name(&stem(path)).ok_or_else(|| {
-                format!(
-                    "{}: the file name does not match a pass; rename it, for example to \
-                     `image.glsl` or `buffer_a.glsl`, or use `--pass image=FILE`",
-                    slashed(path)
-                )
-            })?;
-            files.push((role, path.clone()));
-        }
-    }
-    let parts = files
-        .into_iter()
-        .map(|(role, path)| {
-            let (file, text) = (slashed(&path), read_text(&path)?);
-            reject_other_languages(&file, &text)?;
-            Ok(PassFile {
-                role,
-                file,
-                code: text.into(),
-            })
-        })
-        .collect::<Result<Vec<_>, String>>()?;
-    let title = match paths {
-        [folder] if folder.is_dir() => {
-            let absolute = folder.canonicalize().unwrap_or_else(|_| folder.clone());
-            absolute
-                .file_name()
-                .map_or(String::new(), |n| n.to_string_lossy().into_owned())
-        }
-        _ => String::new(),
-    };
-    let mut project = Project::from_parts(&title, parts).map_err(|e| e.to_string())?;
-    if is_saver {
-        project.link_programs();
-    }
-    Ok(project)
+/// The host given by the user.
+fn named_host(from: Option<&str>) -> Result<Option<&'static Preset>, String> {
+    let named = from.map(|name| host_of(name).map_err(|e| format!("--host: {e}")));
+    named.transpose()
 }
 
-/// The programs of a screen saver of XScreenSaver: the files themselves, or those of a folder.
-fn programs(paths: &[PathBuf]) -> Option<Vec<(PassRole, PathBuf)>> {
-    let mut files = match paths {
-        [folder] if folder.is_dir() => {
-            let entries = fs::read_dir(folder).ok()?;
-            let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
-            files
-                .filter(|path| is_shader(path) && !path.is_symlink())
-                .collect()
-        }
-        files => files.to_vec(),
-    };
-    files.sort();
-    let names: Vec<String> = files.iter().map(|path| stem(path)).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    Some(saver_roles(&names)?.into_iter().zip(files).collect())
-}
-
-/// The passes in a folder. Symbolic links that leave the folder are rejected, since the user may
-/// not have created a downloaded folder.
-pub(in crate::cli) fn in_folder(folder: &Path) -> Result<Vec<(PassRole, PathBuf)>, String> {
-    let wrong = |e: std::io::Error| format!("{}: {}", slashed(folder), plain_error(&e));
-    let root = folder.canonicalize().map_err(wrong)?;
-    let mut found = Vec::new();
-    let mut others = Vec::new();
-    for entry in fs::read_dir(folder).map_err(wrong)? {
-        let path = entry.map_err(wrong)?.path();
-        match PassRole::of_name(&stem(&path)) {
-            Some(role) if is_shader(&path) => {
-                if !path.canonicalize().map_err(wrong)?.starts_with(&root) {
-                    return Err(format!(
-                        "{} is outside of {}; pass it with `--pass {}=FILE`",
-                        slashed(&path),
-                        slashed(folder),
-                        role.name()
-                    ));
-                }
-                found.push((role, path));
-            }
-            _ if is_shader(&path) || path.extension().is_some_and(|e| e == "json") => {
-                others.push(path);
-            }
-            _ => {}
-        }
-    }
-    found.sort();
-    others.sort();
-    let programs = programs(&[folder.to_path_buf()]).filter(|_| found.is_empty());
-    if let Some(programs) = programs {
-        return Ok(programs);
-    }
-    match (found.is_empty(), others.first()) {
-        (false, _) => Ok(found),
-        (true, other) => {
-            let help = other.map_or(String::new(), |path| {
-                format!(", or pass a single file, such as {}", slashed(path))
-            });
-            Err(format!(
-                "{}: no pass found; name the files `image.glsl`, `buffer_a.glsl`, \
-                 `common.glsl`{help}",
-                slashed(folder)
-            ))
-        }
-    }
-}
-
-/// Whether a file in a folder can be a pass.
-fn is_shader(path: &Path) -> bool {
-    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    shadertoy().is_some_and(|host| host.has_extension(extension)) && path.is_file()
+/// The pass and the file in a `--pass`.
+fn named_pass(text: &str) -> Result<(PassRole, PathBuf), String> {
+    let parts = text.split_once('=');
+    let (role, path) =
+        parts.ok_or_else(|| format!("--pass: expected `PASS=FILE`, found `{text}`"))?;
+    let role = PassRole::of_name(role).ok_or_else(|| format!("--pass: {}", unknown_pass(role)))?;
+    Ok((role, PathBuf::from(path)))
 }

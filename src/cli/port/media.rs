@@ -2,7 +2,8 @@
 
 use super::read::{plain_error, read_media, size_words};
 use crate::project::{
-    ChannelOrder, InputKind, Media, OutputId, Project, kind_of_bytes, kind_of_name, why_not,
+    InputKind, Media, MediaFiles, OutputId, Project, kind_of_bytes, kind_of_name, unknown_source,
+    why_not,
 };
 use crate::text::path::slashed;
 use base64::Engine;
@@ -64,7 +65,7 @@ impl Carried {
 
     /// Reads a file for a channel. The faces of a cube map are `NAME`, `NAME_1` to `NAME_5`; a
     /// missing face is replaced by the first.
-    pub(super) fn read(&mut self, path: &Path, is_cube: bool) -> Result<Media, String> {
+    fn read(&mut self, path: &Path, is_cube: bool) -> Result<Media, String> {
         let (kind, first) = self.face(path)?;
         let mut urls = vec![first.clone()];
         if is_cube {
@@ -145,13 +146,19 @@ impl Carried {
     }
 }
 
-/// Whether an order is for a channel that reads a cube map.
-pub(super) fn is_cube(project: &Project, order: &ChannelOrder) -> bool {
-    let places = project.places_of(order).unwrap_or_default();
-    let is_its = |(pass, channel): &(usize, u8)| {
-        let inputs = project.passes.get(*pass).map_or(&[][..], |p| &p.inputs);
-        let mut own = inputs.iter().filter(|i| i.channel == *channel);
-        own.any(|i| i.kind == InputKind::Cubemap)
-    };
-    places.iter().any(is_its)
+impl MediaFiles for Carried {
+    fn media(&mut self, path: &Path, is_cube: bool) -> Result<Media, String> {
+        match path.exists() {
+            true => self.read(path, is_cube),
+            false => Err(unknown_source(&slashed(path))),
+        }
+    }
+}
+
+/// The folder of a file.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
 }

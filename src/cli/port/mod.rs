@@ -2,7 +2,6 @@
 
 mod args;
 mod build;
-mod channels;
 #[cfg(feature = "naga")]
 mod complete;
 mod gallery;
@@ -12,12 +11,11 @@ mod read;
 mod report;
 mod save;
 mod serve;
-mod siblings;
 mod still;
 mod watch;
 
 pub use args::PortArgs;
-pub(super) use load::{draft, in_folder, put_channels};
+pub(super) use load::{draft, put_channels};
 pub(super) use read::read_text;
 pub(super) use save::save;
 

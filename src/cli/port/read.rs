@@ -165,7 +165,7 @@ fn decode(bytes: Vec<u8>) -> Result<String, String> {
         Some(text) => text?,
         None => bytes,
     };
-    if let Some(text) = utf16(&bytes) {
+    if let Some(text) = Content::utf16(&bytes) {
         return Ok(text);
     }
     let Content { mut text, encoding } = Content::of(bytes);
@@ -178,22 +178,6 @@ fn decode(bytes: Vec<u8>) -> Result<String, String> {
             Ok(text)
         }
     }
-}
-
-/// Decodes UTF-16 with a byte order mark, as some shells write it.
-fn utf16(bytes: &[u8]) -> Option<String> {
-    let (rest, is_little) = match bytes {
-        [0xff, 0xfe, rest @ ..] => (rest, true),
-        [0xfe, 0xff, rest @ ..] => (rest, false),
-        _ => return None,
-    };
-    let pairs = rest.chunks_exact(2).filter_map(|p| p.try_into().ok());
-    let unit = |pair| match is_little {
-        true => u16::from_le_bytes(pair),
-        false => u16::from_be_bytes(pair),
-    };
-    let units: Vec<u16> = pairs.map(unit).collect();
-    Some(String::from_utf16_lossy(&units))
 }
 
 /// A size in bytes, formatted for messages.

@@ -2,14 +2,13 @@
 
 use super::args::PortArgs;
 use super::build::build_output;
-use super::load::files_of;
+use super::load::named_files;
 use super::report::print_note;
 use super::save::save;
 use super::serve::PageServer;
 use crate::cli::output::Overwrite;
 use crate::cli::watch::{Stamp, wait};
 use crate::port::{Target, waiting_page};
-use crate::project::ChannelSource;
 use std::path::PathBuf;
 use std::time::SystemTime;
 
@@ -99,11 +98,6 @@ fn version() -> String {
 /// The state of all input files: those that were `read` last, and those that the arguments name,
 /// which may not exist yet.
 fn look(args: &PortArgs, read: &[PathBuf]) -> Stamp {
-    let named = files_of(args).unwrap_or_default();
-    let orders = args.orders().unwrap_or_default().into_iter();
-    let media = orders.filter_map(|o| match o.order.source {
-        ChannelSource::File(path) => Some(PathBuf::from(path)),
-        _ => None,
-    });
-    Stamp::of(named.into_iter().chain(media).chain(read.iter().cloned()))
+    let named = named_files(args).into_iter();
+    Stamp::of(named.chain(read.iter().cloned()))
 }

@@ -1,11 +1,13 @@
 //! Loads a shader and reports its errors.
 
 use super::args::RunArgs;
+use crate::cli::config::configs;
 use crate::cli::disk::Disk;
 use crate::cli::port;
 use crate::commands::run::Loaded;
 use crate::diagnostic::Severity;
-use crate::engine::{Options, check};
+use crate::engine::check;
+use crate::engine::config::ConfigArgs;
 use crate::project::{Composed, add_stand_ins};
 use crate::report::{Format, Reporter};
 use crate::text::path::slashed;
@@ -77,11 +79,14 @@ pub fn read(
 ) -> Result<LoadedFiles, Undrawable> {
     let name = slashed(path);
     let wrong = |e| Undrawable::Words(format!("{name}: {e}"));
-    let (mut project, mut read) = port::draft(path, from).map_err(Undrawable::Words)?;
+    let mut draft = port::draft(path, from).map_err(Undrawable::Words)?;
+    draft.order(channels).map_err(Undrawable::Words)?;
+    let (mut project, mut read) = (draft.project, draft.read);
     let composed = project.resolve(&name).map_err(wrong)?;
-    let put = port::put_channels(&mut project, path, channels);
+    let put = port::put_channels(&mut project, &draft.orders);
     let (files, remarks) = put.map_err(Undrawable::Words)?;
     read.extend(files);
+    read.extend(path.is_file().then(|| path.to_path_buf()));
     project.notes.extend(remarks);
     add_stand_ins(&mut project);
     let composed = project.renew(composed, &name).map_err(wrong)?;
@@ -100,11 +105,14 @@ pub fn read(
 
 /// Prints the errors that the linter finds; returns whether there are any.
 fn print_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Result<bool, Trouble> {
-    if path.as_os_str() == "-" {
+    // The error may be in another pass.
+    if !path.is_file() {
         return Ok(false);
     }
     let text = port::read_text(path)?;
-    let mut report = check(name, &text, &Options::default(), &Disk::new());
+    let options = configs(ConfigArgs::default()).options(path);
+    let options = options.map_err(|e| e.to_string())?;
+    let mut report = check(name, &text, &options, &Disk::new());
     report.diagnostics.retain(|d| d.severity == Severity::Error);
     if !report.diagnostics.is_empty() {
         let mut reporter = Reporter::new(format, io::stdout().lock(), args.color.is_on());

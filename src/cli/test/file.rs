@@ -1,7 +1,6 @@
 //! The tests and golden images of one file.
 
 use super::super::input::{InputFile, read};
-use super::super::port::in_folder;
 use super::functions::TestFile;
 use super::golden::{self, GoldenImages, GoldenSubject};
 use super::inputs::TESTS;
@@ -11,7 +10,7 @@ use crate::detect::kind::{FileKind, decide};
 use crate::diagnostic::Severity;
 use crate::engine::{Analysis, Completeness, Options, Report, analyze};
 use crate::play::Coverage;
-use crate::project::PassRole;
+use crate::project::{Family, PassRole, family};
 use crate::semantic::{Dialect, Pass, Stage};
 use crate::text::Role;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -71,10 +70,11 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
     if report.unread.is_some() {
         return Ok(unread);
     }
+    let family = family(name, &text, options.file_access(&run.disk));
     let filter = run.args.filter.as_deref().unwrap_or("");
     let is_requested = |name: &str| name.contains(filter);
     let mut done = Done {
-        read: files_of(input, &report),
+        read: files_of(input, &report, family.as_ref()),
         ..Done::default()
     };
     let error = first_error(&report);
@@ -101,22 +101,32 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
             }
         }
     }
-    golden_images(input, &text, &report, run, &is_requested, &mut done);
+    // The image of a project in several files is that of its Image.
+    let is_shown = family.is_none_or(|family| {
+        let has_image = family.file(PassRole::Image).is_some();
+        !has_image || family.role(Path::new(name)) == Some(PassRole::Image)
+    });
+    golden_images(
+        input,
+        &text,
+        (&report, is_shown),
+        run,
+        &is_requested,
+        &mut done,
+    );
     Ok(done)
 }
 
 /// The files on which the results of a file depend: the file, what it includes, and golden images.
-fn files_of(input: &InputFile, report: &Report) -> Vec<PathBuf> {
+fn files_of(input: &InputFile, report: &Report, family: Option<&Family>) -> Vec<PathBuf> {
     let texts = report.sources.files().iter();
     let texts = texts.filter(|f| f.role == Role::User);
     let mut files: Vec<PathBuf> = texts.map(|f| PathBuf::from(&*f.path)).collect();
     files.extend(input.path.clone());
     if let Some(path) = &input.path {
         files.extend(golden::existing(path));
-        if let Some(folder) = project_of(path).filter(|p| p.is_dir()) {
-            let passes = in_folder(&folder).unwrap_or_default();
-            files.extend(passes.into_iter().map(|(_, path)| path));
-        }
+        let family = family.map_or(&[][..], |family| &family.passes);
+        files.extend(family.iter().map(|(_, path)| path.clone()));
     }
     files
 }
@@ -125,7 +135,7 @@ fn files_of(input: &InputFile, report: &Report) -> Vec<PathBuf> {
 fn golden_images(
     input: &InputFile,
     text: &str,
-    report: &Report,
+    (report, is_shown): (&Report, bool),
     run: &TestRun,
     is_requested: &dyn Fn(&str) -> bool,
     done: &mut Done,
@@ -149,7 +159,7 @@ fn golden_images(
     let subject = GoldenSubject {
         name,
         path,
-        project: is_complete.then(|| project_of(path)).flatten(),
+        project: (is_complete && is_shown).then(|| path.to_path_buf()),
         wish,
         threads: run.threads,
     };
@@ -181,26 +191,4 @@ fn is_drawable(analysis: &Analysis) -> bool {
             Dialect::ShaderToy(pass) => pass == Pass::Image,
             Dialect::WebGl => analysis.module().entry.is_some(),
         }
-}
-
-/// What is drawn for a file: the folder if the file is the image pass of a project, the file itself
-/// if it is a shader of its own, `None` for other passes.
-fn project_of(path: &Path) -> Option<PathBuf> {
-    let alone = Some(path.to_path_buf());
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let Some(role) = PassRole::of_name(&stem) else {
-        return alone;
-    };
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let passes = in_folder(folder).unwrap_or_default();
-    let has_image = passes.iter().any(|(role, _)| *role == PassRole::Image);
-    match role {
-        PassRole::Image if passes.len() > 1 => Some(folder.to_path_buf()),
-        PassRole::Image => alone,
-        _ if has_image => None,
-        _ => alone,
-    }
 }

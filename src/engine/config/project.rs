@@ -72,8 +72,12 @@ impl ProjectFinder {
     }
 
     /// The folders of the project around a folder, nearest first; none if nothing marks a project.
+    ///
+    /// A repository ends a project: a downloaded one in a folder of another is on its own.
     pub fn found(&self, files: &dyn Files, folder: &Path) -> Vec<PathBuf> {
-        let mut tops: Vec<PathBuf> = self.marked(files, folder).into_iter().flatten().collect();
+        let marked = self.marked(files, folder);
+        let [.., repository] = &marked;
+        let mut tops: Vec<PathBuf> = marked.iter().flatten().cloned().collect();
         if let ProjectLimit::Folder { home } = &self.limit {
             tops.extend(owner(folder));
             tops.push(files.here().to_path_buf());
@@ -86,6 +90,10 @@ impl ProjectFinder {
         let named = folder.ancestors().filter(|f| self.named.contains(*f));
         let named = named.filter(|f| files.entry(f) == Some(FileType::Folder));
         tops.extend(named.map(Path::to_path_buf));
+        if let Some(repository) = repository.as_ref().filter(|f| tops.contains(f)) {
+            let repository = repository.clone();
+            tops.retain(|f| f.starts_with(&repository));
+        }
         tops.sort_by_key(|f| std::cmp::Reverse(f.components().count()));
         tops.dedup();
         tops

@@ -13,6 +13,7 @@ use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_project::{
     Clues, Hosted, Project, SiblingTexts, TextChange, calls_entry, hosted, may_be_composed,
+    read_siblings,
 };
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{Dialect, Stage, guess};
@@ -23,8 +24,6 @@ use std::sync::Arc;
 
 /// Size limit in bytes of texts that are tested for composing hosts without being asked to.
 const MAX_COMPOSED: usize = 200_000;
-/// Maximum number of other texts that a shader is composed from.
-const MAX_TEXTS: usize = 256;
 
 /// Whether the user names a host for a text that looks like a ShaderToy pass.
 pub fn is_pass_of_another(text: &str, options: &Options) -> bool {
@@ -169,20 +168,13 @@ fn hosted_with_siblings(
     given: Option<&'static Preset>,
     context: CheckContext,
 ) -> Option<Hosted> {
-    let path = Path::new(name);
-    let title = path.file_stem().map_or("".into(), |s| s.to_string_lossy());
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let title = Path::new(name).file_stem().unwrap_or_default();
+    let title = title.to_string_lossy();
     let mut texts = SiblingTexts::new();
     loop {
         let found = hosted(&Clues::with_siblings(text, &title, &texts), given)?;
-        let known = texts.len();
-        for asked in &found.requested {
-            if !texts.contains_key(asked) && texts.len() < MAX_TEXTS {
-                let text = context.files.load(&folder.join(asked)).ok();
-                texts.insert(asked.clone(), text);
-            }
-        }
-        if texts.len() == known {
+        let read = read_siblings(name, &found.requested, &mut texts, context.file_access());
+        if read != Ok(true) {
             return Some(found);
         }
     }

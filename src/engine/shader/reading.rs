@@ -372,10 +372,14 @@ impl Readings {
         options: &Options,
     ) -> Option<Reading> {
         let (header, dialect) = match kind {
-            Some(GuessedKind::ShaderToy(pass)) => (
-                Some(pass.host().prelude([None; 4])),
-                Dialect::ShaderToy(pass),
-            ),
+            Some(GuessedKind::ShaderToy(pass)) => {
+                let own = self.text.files.iter();
+                let own = own.filter_map(|id| Some(sources.code(*id)?.text));
+                let header = pass
+                    .host()
+                    .prelude_beside([None; 4], &own.collect::<String>());
+                (Some(header), Dialect::ShaderToy(pass))
+            }
             Some(GuessedKind::WebGl2) => (Some(ES_300.directive.to_string()), Dialect::WebGl),
             _ => (None, Dialect::WebGl),
         };

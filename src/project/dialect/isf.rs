@@ -233,7 +233,7 @@ fn sibling_vertex<'c>(clues: &Clues<'c>, plan: &mut Plan) -> Option<&'c str> {
     }
     let path = format!("{}.vs", clues.name);
     match clues.siblings.get(&path) {
-        Some(text) => text.as_deref(),
+        Some(vertex) => vertex.as_ref().map(|vertex| &*vertex.text),
         None => {
             plan.requested.push(path);
             None

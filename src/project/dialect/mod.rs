@@ -27,10 +27,11 @@ use clues::VersionAsked;
 pub use clues::{Clues, Interfacing};
 pub use complete::best;
 pub use complete::{Completion, TextChange};
+pub(crate) use shadertoy::framed;
 pub(super) use vertex::PLACES;
 pub use vertex::VaryingValue;
 
-use super::{Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
+use super::{GatheredText, Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_after, completions_of, declarations, has_images, modern, without_own};
 use shaderlint_host::{
     Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
@@ -118,8 +119,9 @@ pub struct Plan {
     pub is_description: bool,
 }
 
-/// Companion files by their paths relative to the text's folder; `None` for a missing file.
-pub type SiblingTexts = BTreeMap<String, Option<Arc<str>>>;
+/// Companion files with what they include, by the paths that texts name them with; `None` for a
+/// missing file.
+pub type SiblingTexts = BTreeMap<String, Option<Arc<GatheredText>>>;
 
 /// Credits in a header.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -433,6 +435,11 @@ pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
         completion,
         requested: plan.requested,
     })
+}
+
+/// Whether a text says itself what its channels read, as VS Code Shader Toy has it.
+pub fn has_directives(text: &str) -> bool {
+    vscode::may_have_directives(text) && vscode::has_directives(text)
 }
 
 /// Whether a host other than ShaderToy's player calls `mainImage`.

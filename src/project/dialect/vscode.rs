@@ -10,11 +10,14 @@
 use super::complete::{self, Directive, modern};
 use super::isf::is_identifier;
 use super::{Clues, Completion, HostCode, Plan, PlannedPass, Sign, read_buffer, sampled};
-use crate::{ControlKind, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name};
+use crate::{
+    ControlKind, GatheredText, Input, InputKind, OutputId, PassDraw, UniformControl, kind_of_name,
+};
 use shaderlint_host::{OWN, matches_any, preset, shadertoy};
 use shaderlint_semantic::Pass;
 use shaderlint_text::TextPiece;
 use shaderlint_text::path::slashed;
+use std::sync::Arc;
 
 /// The name of its preset.
 const HOST: &str = "vscode-shader-toy";
@@ -27,15 +30,6 @@ pub(super) static CODE: HostCode = HostCode {
 };
 
 fn signs(clues: &Clues) -> Vec<Sign> {
-    let all = directives(clues.text);
-    let sign = |directive: &Directive| match directive.word {
-        // Other tools have includes too, but ShaderToy does not.
-        "include" => {
-            let is_pass = clues.has_word("mainImage") && quoted(directive.rest).is_some();
-            is_pass.then(|| Sign::new("`#include`", OWN + 1))
-        }
-        word => Some(Sign::form(format!("`#{word}`"), 3 * OWN)),
-    };
     let mut found: Vec<Sign> = Vec::new();
     // ShaderToy calls no `main`; other hosts that do declare no names of ShaderToy.
     if clues.guess.has_main && !clues.has_word("mainImage") {
@@ -46,18 +40,19 @@ fn signs(clues: &Clues) -> Vec<Sign> {
             found.push(Sign::new(format!("`main` and `{word}` undeclared"), OWN));
         }
     }
-    let start = found.len();
-    for directive in &all {
-        if found.len() == start {
-            found.extend(sign(directive));
-        }
-    }
+    let first = directives(clues.text).into_iter().next();
+    found.extend(first.map(|directive| Sign::form(format!("`#{}`", directive.word), 3 * OWN)));
     found
 }
 
 /// Whether a text may contain directives of the host; a match may also be in a comment.
 pub(super) fn may_have_directives(text: &str) -> bool {
     complete::may_have_directives(text, is_ours)
+}
+
+/// Whether a text contains directives of the host.
+pub(super) fn has_directives(text: &str) -> bool {
+    !directives(text).is_empty()
 }
 
 /// The lines of a text with directives of the host.
@@ -70,7 +65,7 @@ fn is_ours(word: &str) -> bool {
     let own = preset(HOST).map_or(&[][..], |p| &p.directives);
     match word.starts_with("iChannel") {
         true => channel_of(word).is_some(),
-        false => word == "include" || matches_any(own, word),
+        false => matches_any(own, word),
     }
 }
 
@@ -100,55 +95,21 @@ struct ChannelComment {
     is_cube: bool,
 }
 
-/// A text with its includes.
-#[derive(Default)]
-struct ExpandedText {
-    code: String,
-    /// The number of complete lines.
-    lines: u32,
-    pieces: Vec<TextPiece>,
-}
-
-impl ExpandedText {
-    fn push(&mut self, text: &str) {
-        self.code.push_str(text);
-        self.lines += text.matches('\n').count() as u32;
-    }
-
-    /// Starts a piece of a file at one of its lines.
-    fn start(&mut self, file: &str, line: u32) {
-        self.pieces.push(TextPiece {
-            start: self.lines + 1,
-            file: file.to_string(),
-            line,
-        });
-    }
-}
-
 /// Builds the plan of a shader and of those that it reads.
 struct VscodeReader<'c, 't> {
     clues: &'c Clues<'t>,
     plan: Plan,
     /// The files of the shaders that are already passes or are becoming passes.
     seen: Vec<String>,
-    /// The files that are being included, outermost first.
-    open: Vec<String>,
-    /// Total size of the included files, in bytes.
-    included: usize,
 }
-
-/// Maximum total size of included files: includes can grow exponentially.
-const MAX_INCLUDED: usize = 256 * 1024;
 
 fn plan(clues: &Clues) -> Plan {
     let mut maker = VscodeReader {
         clues,
         plan: Plan::default(),
         seen: Vec::new(),
-        open: Vec::new(),
-        included: 0,
     };
-    maker.shader("", clues.text);
+    maker.shader("", clues.text, Vec::new());
     let plan = &mut maker.plan;
     let is_read = |name: &str| {
         let id = OutputId::of_dialect(name).0;
@@ -173,17 +134,15 @@ fn plan(clues: &Clues) -> Plan {
 
 impl VscodeReader<'_, '_> {
     /// Adds the shader of a file, after those that it reads.
-    fn shader(&mut self, path: &str, text: &str) {
+    fn shader(&mut self, path: &str, text: &str, pieces: Vec<TextPiece>) {
         self.seen.push(path.to_string());
         let mut facts = DirectiveFacts::default();
-        let mut expanded = ExpandedText::default();
-        self.expand(path, text, &mut facts, &mut expanded);
-        let code = &expanded.code;
+        let code = &self.without_directives(text, &mut facts);
         let inputs = facts.channels.iter().filter_map(|c| self.input(path, c));
         let inputs: Vec<Input> = inputs.collect();
         let mut pass = PlannedPass::buffer(path, vec![completion(code, &facts)]);
         pass.is_of_text = path.is_empty();
-        pass.pieces = expanded.pieces;
+        pass.pieces = pieces;
         pass.inputs = inputs;
         if facts.has_keyboard {
             let keys = sampled("iKeyboard", InputKind::Keyboard, ("nearest", "clamp"));
@@ -201,65 +160,22 @@ impl VscodeReader<'_, '_> {
         }
     }
 
-    /// Adds a text with its directives as comments, and with its includes.
-    fn expand(
-        &mut self,
-        path: &str,
-        text: &str,
-        facts: &mut DirectiveFacts,
-        expanded: &mut ExpandedText,
-    ) {
-        expanded.start(path, 1);
+    /// A text with its directives as comments.
+    fn without_directives(&mut self, text: &str, facts: &mut DirectiveFacts) -> String {
+        let mut code = String::with_capacity(text.len());
         let mut from = 0;
         for directive in directives(text) {
-            if directive.start < from {
-                continue;
-            }
-            expanded.push(text.get(from..directive.start).unwrap_or(""));
-            expanded.push("//");
-            expanded.push(text.get(directive.start..directive.end).unwrap_or(""));
-            from = directive.end;
-            if directive.word == "include" {
-                expanded.push("\n");
-                self.include(path, directive.rest, facts, expanded);
-                let before = text.get(..from).unwrap_or("");
-                expanded.start(path, before.matches('\n').count() as u32 + 1);
-            } else {
-                self.obey(&directive, facts);
-            }
+            code.push_str(text.get(from..directive.start).unwrap_or(""));
+            code.push_str("//");
+            from = directive.start;
+            self.obey(&directive, facts);
         }
-        expanded.push(text.get(from..).unwrap_or(""));
-    }
-
-    fn include(
-        &mut self,
-        path: &str,
-        rest: &str,
-        facts: &mut DirectiveFacts,
-        expanded: &mut ExpandedText,
-    ) {
-        let name = quoted(rest).unwrap_or("");
-        let Some((file, text)) = self.load(path, name) else {
-            return;
-        };
-        self.included += text.len().max(1);
-        if self.open.contains(&file) {
-            self.note(format!("`{name}` includes itself"));
-            return;
-        }
-        if self.included > MAX_INCLUDED {
-            self.note(format!(
-                "`{name}` is not included: the included files are too large in total"
-            ));
-            return;
-        }
-        self.open.push(file.clone());
-        self.expand(&file, &text, facts, expanded);
-        self.open.pop();
+        code.push_str(text.get(from..).unwrap_or(""));
+        code
     }
 
     /// Path and content of a companion file. A file that has not been read yet is requested.
-    fn load(&mut self, path: &str, name: &str) -> Option<(String, std::sync::Arc<str>)> {
+    fn load(&mut self, path: &str, name: &str) -> Option<(String, Arc<GatheredText>)> {
         let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
         let mut candidates = vec![joined(folder, name)];
         if !folder.is_empty() {
@@ -365,7 +281,7 @@ impl VscodeReader<'_, '_> {
         }
         let (file, text) = self.load(path, name)?;
         if !self.seen.contains(&file) {
-            self.shader(&file, &text);
+            self.shader(&file, &text.text, text.pieces.clone());
         }
         Some(file)
     }
@@ -723,14 +639,6 @@ mod tests {
         );
         assert_eq!(known(&format!("#iKeyboard\n{main}")), "vscode-shader-toy");
         assert_eq!(
-            known(&format!("#include \"a.glsl\"\n{image}")),
-            "vscode-shader-toy"
-        );
-        assert_ne!(
-            known(&format!("#include \"a.glsl\"\n{main}")),
-            "vscode-shader-toy"
-        );
-        assert_eq!(
             known(&format!("// #iChannel0 \"self\"\n{image}")),
             "shadertoy"
         );
@@ -743,10 +651,9 @@ mod tests {
         let mut siblings = super::super::SiblingTexts::new();
         let asked = plan(&Clues::with_siblings(text, "x", &siblings)).requested;
         assert_eq!(asked, ["a/b.glsl"]);
-        let buffer =
-            "#include \"c.glsl\"\nvoid main() { gl_FragColor = vec4(C, iTime, 0.0, 1.0); }";
-        siblings.insert("a/b.glsl".to_string(), Some(buffer.into()));
-        siblings.insert("a/c.glsl".to_string(), Some("const float C = 0.5;".into()));
+        let buffer = "void main() { gl_FragColor = vec4(0.5, iTime, 0.0, 1.0); }";
+        let buffer = GatheredText::of(buffer);
+        siblings.insert("a/b.glsl".to_string(), Some(Arc::new(buffer)));
         let plan = plan(&Clues::with_siblings(text, "x", &siblings));
         assert!(
             plan.requested.is_empty() && plan.notes.is_empty(),

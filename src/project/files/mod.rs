@@ -1,5 +1,6 @@
 //! Access to files, provided by the caller of the engine, and what is remembered of them.
 
+pub mod family;
 pub mod file_cache;
 pub mod passes;
 pub mod repository;

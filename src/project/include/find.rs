@@ -1,9 +1,9 @@
 //! Resolves the files that a shader includes.
 
-use crate::access::FileAccess;
-use crate::access::Includes;
+use crate::access::{FileAccess, Includes};
 use crate::files::scan::{IncludedFile, Manner, RequestedFile};
 use crate::files::{FileType, Files};
+use crate::input::parts::near;
 use shaderlint_text::path::{plain, slashed, tidy};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -57,6 +57,8 @@ pub struct Absent {
     pub looked_in: Vec<String>,
     /// Reason.
     pub why: Absence,
+    /// A path that is nearly the same and exists.
+    pub similar: Option<String>,
 }
 
 impl Absent {
@@ -65,6 +67,7 @@ impl Absent {
         Absent {
             looked_in: Vec::new(),
             why: Absence::TooMany,
+            similar: None,
         }
     }
 }
@@ -75,6 +78,7 @@ impl FileAccess<'_> {
         let mut absent = Absent {
             looked_in: Vec::new(),
             why: Absence::NotFound,
+            similar: None,
         };
         let named = slashed(&requested.path);
         // Bundlers accept a query after the path.
@@ -93,6 +97,9 @@ impl FileAccess<'_> {
                 Err(why) => absent.why = why,
             }
         }
+        if absent.why == Absence::NotFound && requested.manner == Manner::Path {
+            absent.similar = self.similar(from, named);
+        }
         Err(absent)
     }
 
@@ -100,10 +107,7 @@ impl FileAccess<'_> {
     fn places<'p>(&self, from: &str, named: &'p str) -> Vec<(PathBuf, &'p str)> {
         let Includes { root, tops, roots } = &self.includes;
         let beside = Path::new(from).parent().unwrap_or(Path::new(""));
-        let relative = |path: &Path| {
-            let inside = path.strip_prefix(self.files.here());
-            inside.unwrap_or(path).to_path_buf()
-        };
+        let relative = |path: &Path| self.relative(path);
         let packages = || {
             let here = plain(&self.files.here().join(beside));
             let real = self.files.real(&here).unwrap_or(here);
@@ -127,6 +131,23 @@ impl FileAccess<'_> {
             places.extend(packages().map(|f| (f, named)));
         }
         places
+    }
+
+    /// The path of an existing file whose name is nearly that in a path.
+    fn similar(&self, from: &str, named: &str) -> Option<String> {
+        let (folder, name) = named.rsplit_once('/').map_or(("", named), |(f, n)| (f, n));
+        let mut places = self.places(from, folder).into_iter();
+        let (place, folder) = places.next()?;
+        let mut names = self.files.names(&tidy(&place.join(folder)));
+        names.retain(|name| EXTENSIONS.iter().any(|e| name.ends_with(&format!(".{e}"))));
+        let near = near(name, names.iter().map(String::as_str))?;
+        Some(named.strip_suffix(name)?.to_string() + near)
+    }
+
+    /// A path as in messages: relative to the current folder, if it is inside.
+    pub fn relative(&self, path: &Path) -> PathBuf {
+        let inside = path.strip_prefix(self.files.here());
+        inside.unwrap_or(path).to_path_buf()
     }
 
     /// Reads a file, unless it is outside the project.
@@ -163,7 +184,12 @@ fn file_at(files: &dyn Files, base: &Path, manner: Manner) -> Option<PathBuf> {
     if entry == Some(FileType::File) {
         return Some(base.to_path_buf());
     }
-    if let Some(file) = with_known_extension(files, base) {
+    // A chunk is code for any stage, not the shader of one.
+    let extensions = match manner {
+        Manner::Chunk => &EXTENSIONS[..1],
+        Manner::Path => &EXTENSIONS,
+    };
+    if let Some(file) = with_known_extension(files, base, extensions) {
         return Some(file);
     }
     // `<name>` usually is a chunk of the host, not a folder.
@@ -178,9 +204,9 @@ fn is_file(files: &dyn Files, path: &Path) -> bool {
     files.entry(path) == Some(FileType::File)
 }
 
-fn with_known_extension(files: &dyn Files, base: &Path) -> Option<PathBuf> {
+fn with_known_extension(files: &dyn Files, base: &Path, extensions: &[&str]) -> Option<PathBuf> {
     let name = base.file_name()?.to_string_lossy().into_owned();
-    let mut all = EXTENSIONS
+    let mut all = extensions
         .iter()
         .map(|e| base.with_file_name(format!("{name}.{e}")));
     all.find(|f| is_file(files, f))
@@ -203,7 +229,7 @@ fn main_of(files: &dyn Files, folder: &Path) -> Option<PathBuf> {
     let mut all = paths.filter_map(|p| {
         Some(p.clone())
             .filter(is_shader)
-            .or_else(|| with_known_extension(files, &p))
+            .or_else(|| with_known_extension(files, &p, &EXTENSIONS))
     });
     all.next()
 }

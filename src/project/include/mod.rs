@@ -1,25 +1,26 @@
 //! Resolves `#include` and similar directives as bundlers do: included files replace the
 //! directives.
 
-mod common;
 mod find;
+pub mod gathered;
 mod module;
 mod moved;
 mod subject;
 
-pub use common::is_common;
 pub use find::Absence;
 pub use moved::{FileMoves, moved_includes};
 
 use crate::access::FileAccess;
+use crate::files::family::common_of;
 use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
-use shaderlint_diagnostic::{Diagnostic, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_host::is_provided;
 use shaderlint_text::path::{slashed, tidy};
-use shaderlint_text::{FileId, Role, Sources, Span};
+use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -55,6 +56,22 @@ pub struct MissingInclude {
     pub looked_in: Vec<String>,
     /// Why it was not included.
     pub why: Absence,
+    /// A path that is nearly the same and exists.
+    pub similar: Option<String>,
+}
+
+impl fmt::Display for MissingInclude {
+    /// What was tried, as a note.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is {}", self.path, self.why)?;
+        if !self.looked_in.is_empty() {
+            write!(f, " (searched in {})", self.looked_in.join(", "))?;
+        }
+        match &self.similar {
+            Some(path) => write!(f, "; did you mean `{path}`?"),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Files whose findings are reported elsewhere or not at all.
@@ -102,35 +119,13 @@ pub fn spread(
     let found = |path: Option<PathBuf>| path.and_then(|path| context.load(&path).ok());
     let subject = found(subject::subject_of(name, text, context));
     let common = match &subject {
-        Some(subject) => common::common_of(&subject.name, &subject.file.text, context),
-        None => common::common_of(name, text, context),
+        Some(subject) => common_of(&subject.name, &subject.file.text, context),
+        None => common_of(name, text, context),
     };
     let tested = subject.as_ref().map(|s| &*s.file.text);
     let test_prelude = subject::test_prelude(name, text, tested);
     let before = found(common).into_iter().chain(subject);
-    let words = ["include", "import", "glslify"];
-    let own = words.iter().any(|w| text.contains(w));
-    let own = own.then(|| Arc::new(IncludedFile::new(text.into())));
-    let own = own.filter(|own| !own.scan.directives.is_empty());
-    let mut spreader = Spreader {
-        sources,
-        context,
-        found: Spread {
-            files: Vec::new(),
-            is_open: false,
-            missing: Vec::new(),
-            problems: Vec::new(),
-            hushed: Hushed::default(),
-        },
-        open: Vec::new(),
-        seen: HashMap::new(),
-        undefined: BTreeSet::new(),
-        known: HashMap::new(),
-        lookups: MAX_LOOKUPS,
-        modules: Modules::default(),
-        is_in_package: is_of_package(Path::new(name)),
-        budget: MAX_INCLUDES,
-    };
+    let mut spreader = Spreader::new(sources, name, context);
     for found in before {
         spreader.put_before(found)?;
     }
@@ -138,18 +133,7 @@ pub fn spread(
         let prelude = spreader.prelude(test_prelude)?;
         spreader.found.files.push(prelude);
     }
-    match own {
-        None => spreader.found.files.push(file),
-        Some(own) => {
-            let directives = &own.scan.directives;
-            spreader.modules.expect(name, context, directives);
-            let name = slashed(tidy(Path::new(name)));
-            let real = context.files.real(Path::new(&name));
-            let real = real.unwrap_or_else(|| PathBuf::from(&name));
-            spreader.open(name, real, file, own);
-            spreader.run()?;
-        }
-    }
+    spreader.shader(name, file, text)?;
     Some(spreader.found)
 }
 
@@ -171,6 +155,8 @@ struct Spreader<'r, 'w> {
     /// Whether the shader itself belongs to a package.
     is_in_package: bool,
     budget: usize,
+    /// Whether directives for chunks of the host stay in the text.
+    keeps_chunks: bool,
 }
 
 /// A file on the stack.
@@ -209,7 +195,48 @@ enum IncludeMode {
     Circle,
 }
 
-impl Spreader<'_, '_> {
+impl<'r, 'w> Spreader<'r, 'w> {
+    fn new(sources: &'r mut Arc<Sources>, name: &str, context: FileAccess<'w>) -> Self {
+        Spreader {
+            sources,
+            context,
+            found: Spread {
+                files: Vec::new(),
+                is_open: false,
+                missing: Vec::new(),
+                problems: Vec::new(),
+                hushed: Hushed::default(),
+            },
+            open: Vec::new(),
+            seen: HashMap::new(),
+            undefined: BTreeSet::new(),
+            known: HashMap::new(),
+            lookups: MAX_LOOKUPS,
+            modules: Modules::default(),
+            is_in_package: is_of_package(Path::new(name)),
+            budget: MAX_INCLUDES,
+            keeps_chunks: false,
+        }
+    }
+
+    /// Adds the shader itself with what it includes.
+    fn shader(&mut self, name: &str, file: FileId, text: &str) -> Option<()> {
+        let words = ["include", "import", "glslify"];
+        let own = words.iter().any(|w| text.contains(w));
+        let own = own.then(|| Arc::new(IncludedFile::new(text.into())));
+        let Some(own) = own.filter(|own| !own.scan.directives.is_empty()) else {
+            self.found.files.push(file);
+            return Some(());
+        };
+        let directives = &own.scan.directives;
+        self.modules.expect(name, self.context, directives);
+        let name = slashed(tidy(Path::new(name)));
+        let real = self.context.files.real(Path::new(&name));
+        let real = real.unwrap_or_else(|| PathBuf::from(&name));
+        self.open(name, real, file, own);
+        self.run()
+    }
+
     /// Includes a file before the shader. Its findings are not reported here if it is checked
     /// itself.
     fn put_before(&mut self, found: FoundFile) -> Option<()> {
@@ -265,11 +292,19 @@ impl Spreader<'_, '_> {
             let before = last.text.text.get(last.done..directive.start)?;
             let piece = Arc::make_mut(self.sources).embed(last.file, last.done, before)?;
             self.found.files.push(piece);
+            // The host inserts its chunks, which show who it is.
+            let stays = self.keeps_chunks && directive.requested.manner == Manner::Chunk;
             last.done = directive.end;
             let base = self.sources.file(last.file)?.base;
             let span = Span::new(base + directive.start as u32, base + directive.end as u32);
             let from = last.name.clone();
+            let missing = self.found.is_open;
+            self.found.is_open = false;
             self.directive(&from, &directive, span)?;
+            if let (true, true, Some(last)) = (stays, self.found.is_open, self.open.last_mut()) {
+                last.done = directive.start;
+            }
+            self.found.is_open |= missing;
         }
         Some(())
     }
@@ -279,6 +314,7 @@ impl Spreader<'_, '_> {
         let is_chunk = requested.manner == Manner::Chunk && self.context.host.is_some();
         // The host inserts what the file contains.
         if requested.manner == Manner::Chunk && is_provided(&requested.path) {
+            self.found.is_open |= self.keeps_chunks;
             return Some(());
         }
         if is_chunk && !requested.path.contains(['/', '.']) {
@@ -318,11 +354,26 @@ impl Spreader<'_, '_> {
 
     fn miss(&mut self, span: Span, path: &str, absent: Absent) {
         self.found.is_open = true;
+        // A path that may belong to the host or to a bundler is no mistake by itself.
+        if let Some(similar) = &absent.similar {
+            let message = format!("`{path}` is not found");
+            let problem = Diagnostic::of(error::BAD_DIRECTIVE, Severity::Warning, span, message);
+            let written = self.sources.text(span);
+            let fix = written.find(path).map(|at| {
+                let start = span.start + at as u32;
+                let span = Span::new(start, start + path.len() as u32);
+                let title = format!("replace with `{similar}`");
+                Fix::suggestion(title, vec![Edit::replace(span, similar.as_str())])
+            });
+            let problem = problem.help(format!("did you mean `{similar}`?")).fix(fix);
+            self.found.problems.push(problem);
+        }
         self.found.missing.push(MissingInclude {
             span,
             path: path.to_string(),
             looked_in: absent.looked_in,
             why: absent.why,
+            similar: absent.similar,
         });
     }
 

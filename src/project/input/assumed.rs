@@ -101,14 +101,16 @@ fn shows(input: &Input) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ChannelOrder, PassFile, PassRole, add_stand_ins};
+    use crate::{ChannelOrder, GatheredText, PassFile, PassRole, add_stand_ins};
 
     /// The project of passes with these codes, and the lines of its `channels.toml` without the head.
     fn written(parts: &[(PassRole, &str)], orders: &[&str]) -> (Project, String) {
         let parts = parts.iter().map(|(role, code)| PassFile {
             role: *role,
             file: role.name().to_string(),
-            code: format!("void mainImage(out vec4 c, in vec2 f) {{ c = {code}; }}").into(),
+            text: GatheredText::of(format!(
+                "void mainImage(out vec4 c, in vec2 f) {{ c = {code}; }}"
+            )),
         });
         let mut project = Project::from_parts("x", parts.collect()).unwrap();
         project.resolve("x").unwrap();

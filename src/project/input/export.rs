@@ -130,21 +130,30 @@ impl Project {
 /// The shaders of an export, each with its title and as an export of its own. Empty if the text is
 /// none.
 pub fn exports_in(text: &str) -> Vec<(String, String)> {
-    let all = match serde_json::from_str(text) {
-        Ok(Value::Array(all)) => all,
-        Ok(one @ Value::Object(_)) => vec![one],
-        _ => Vec::new(),
-    };
-    let named = all.into_iter().filter(is_export).map(|shader| {
-        let info = unwrapped(&shader).get("info");
-        let name = info.and_then(|info| info.get("name")?.as_str());
-        (name.unwrap_or_default().to_string(), shader.to_string())
-    });
+    let json: Value = serde_json::from_str(text).unwrap_or_default();
+    let named = shaders(&json)
+        .into_iter()
+        .filter(|shader| is_export(shader))
+        .map(|shader| {
+            let info = unwrapped(shader).get("info");
+            let name = info.and_then(|info| info.get("name")?.as_str());
+            (name.unwrap_or_default().to_string(), shader.to_string())
+        });
     named.collect()
 }
 
 fn is_export(shader: &Value) -> bool {
     unwrapped(shader).get("renderpass").is_some()
+}
+
+/// The shaders of a download: one, an array, or all shaders of a user, which the site exports
+/// together with the user's name.
+fn shaders(json: &Value) -> Vec<&Value> {
+    let all = json.get("shaders").or(json.get("shader")).unwrap_or(json);
+    match all {
+        Value::Array(all) => all.iter().collect(),
+        _ => vec![json],
+    }
 }
 
 /// A shader without the object around it that some downloads have.
@@ -154,16 +163,14 @@ fn unwrapped(json: &Value) -> &Value {
 
 /// The object that contains the passes.
 fn the_shader(json: &Value) -> Result<&Value, ProjectError> {
-    let shader = match json {
-        Value::Array(all) if all.iter().filter(|shader| is_export(shader)).count() > 1 => {
-            return Err(field(
-                "[1]",
-                "the file contains several shaders; `shaderport FILE -o FOLDER` writes a page for each",
-            ));
-        }
-        Value::Array(all) => all.first().unwrap_or(json),
-        _ => json,
-    };
+    let all = shaders(json);
+    if all.iter().filter(|shader| is_export(shader)).count() > 1 {
+        return Err(field(
+            "[1]",
+            "the file contains several shaders; `shaderport FILE -o FOLDER` writes a page for each",
+        ));
+    }
+    let shader = all.first().copied().unwrap_or(json);
     let shader = unwrapped(shader);
     match (shader.get("renderpass"), shader.get("Error")) {
         (Some(Value::Array(_) | Value::Object(_)), _) => Ok(shader),

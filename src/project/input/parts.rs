@@ -1,8 +1,11 @@
 //! Projects with one file per pass, identified by file name.
 
-use crate::{Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings, ShaderError};
+use crate::dialect::framed;
+use crate::{
+    GatheredText, Info, Input, InputKind, OutputId, Project, ProjectPass, SamplerSettings,
+    ShaderError,
+};
 use shaderlint_semantic::Pass;
-use std::sync::Arc;
 
 /// The pass that a file is for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -177,8 +180,8 @@ pub struct PassFile {
     pub role: PassRole,
     /// The path given by the user.
     pub file: String,
-    /// The content.
-    pub code: Arc<str>,
+    /// The content, with what it includes.
+    pub text: GatheredText,
 }
 
 /// Why files do not form a project.
@@ -223,11 +226,22 @@ impl Project {
         if parts.iter().all(|p| p.role != PassRole::Image) {
             return Err(PartsError::NoImage);
         }
-        let passes = parts.into_iter().map(|part| ProjectPass {
-            name: part.role.name().to_string(),
-            output: part.role.output(),
-            file: Some(part.file),
-            ..ProjectPass::new(part.role.kind(), part.code)
+        let commons = parts.iter().filter(|part| part.role == PassRole::Common);
+        let common: String = commons.map(|part| &*part.text.text).collect();
+        let passes = parts.into_iter().map(|part| {
+            let kind = part.role.kind();
+            let may_be_framed = matches!(kind, Pass::Image | Pass::Buffer);
+            let framed = framed(&part.text.text, &common).filter(|_| may_be_framed);
+            ProjectPass {
+                name: part.role.name().to_string(),
+                output: part.role.output(),
+                file: Some(part.file),
+                pieces: part.text.pieces,
+                ..match framed {
+                    Some(framed) => ProjectPass::completed(kind, framed),
+                    None => ProjectPass::new(kind, part.text.text),
+                }
+            }
         });
         let info = Info {
             name: title.to_string(),
@@ -332,7 +346,7 @@ mod tests {
         let part = |role, file: &str, code: &str| PassFile {
             role,
             file: file.to_string(),
-            code: code.into(),
+            text: GatheredText::of(code),
         };
         let image = "void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel0, D); }";
         let parts = vec![

@@ -2,13 +2,14 @@
 
 use crate::dialect::{self, Clues, Plan, PlannedPass, Recognised, SiblingTexts, bind, recognise};
 use crate::{
-    Bindings, Composed, Info, Input, InputKind, Project, ProjectPass, UniformControl, Wrapper,
-    compose,
+    Bindings, Composed, GatheredText, Info, Input, InputKind, Project, ProjectPass, UniformControl,
+    Wrapper, compose,
 };
 use shaderlint_host::{Feed, Preset, page};
 use shaderlint_semantic::{
     GuessedKind, Pass, Program, Sampler, Stage, VariableId, guess, needed_channels,
 };
+use shaderlint_text::TextPiece;
 
 /// Why a shader file cannot be ported.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -52,7 +53,7 @@ impl Project {
         code: &str,
         host: Option<&'static Preset>,
     ) -> Result<Project, ShaderError> {
-        Project::draft_with_siblings(title, code, host, &SiblingTexts::new())
+        Project::draft_with_siblings(title, &GatheredText::of(code), host, &SiblingTexts::new())
     }
 
     /// Like [`Project::draft`], for a text with companion files. Those that have not been read yet
@@ -62,10 +63,11 @@ impl Project {
     /// If its text shows that the page cannot show it.
     pub fn draft_with_siblings(
         title: &str,
-        code: &str,
+        own: &GatheredText,
         host: Option<&'static Preset>,
         siblings: &SiblingTexts,
     ) -> Result<Project, ShaderError> {
+        let code = &*own.text;
         let first_guess = guess(code);
         let pass = match first_guess.kind {
             Some(GuessedKind::ShaderToy(kind)) => Some(kind),
@@ -74,9 +76,14 @@ impl Project {
         let clues = Clues::with_siblings(code, title, siblings);
         let recognised = host.map(Recognised::given).or_else(|| recognise(&clues));
         let recognised = recognised.ok_or(ShaderError::NoEntry)?;
-        let Some(plan) = dialect::plan(recognised.host, &clues) else {
+        let framed = || Some(Plan::image(vec![dialect::framed(code, "")?]));
+        let Some(plan) = dialect::plan(recognised.host, &clues).or_else(framed) else {
             let kind = pass.ok_or(ShaderError::NoEntry)?;
-            return Ok(Project::of_pass(title, ProjectPass::new(kind, code)));
+            let pass = ProjectPass {
+                pieces: own.pieces.clone(),
+                ..ProjectPass::new(kind, code)
+            };
+            return Ok(Project::of_pass(title, pass));
         };
         let is_known = host.is_some() || !recognised.signs.is_empty();
         let is_body = clues.is_body && is_known;
@@ -87,7 +94,7 @@ impl Project {
         if first_guess.stage == Some(Stage::Vertex) && !draws_vertices {
             return Err(ShaderError::Vertex);
         }
-        let mut project = Project::of_plan(title, recognised.host, plan)?;
+        let mut project = Project::of_plan(title, recognised.host, plan, &own.pieces)?;
         if host.is_none() && !recognised.signs.is_empty() {
             project.notes.insert(0, recognised.summary());
         }
@@ -101,8 +108,18 @@ impl Project {
         let is_complete = self.host.is_some_and(|h| !h.declares()) && self.passes.len() == 1;
         let is_old = is_complete && guess(text).kind == Some(GuessedKind::WebGl1);
         is_old.then(|| {
+            let pieces = self
+                .passes
+                .iter()
+                .flat_map(|pass| pass.pieces.iter().cloned());
             let pass = ProjectPass {
                 wrapper: Wrapper::Own,
+                pieces: pieces
+                    .map(|piece| TextPiece {
+                        start: piece.start + 1,
+                        ..piece
+                    })
+                    .collect(),
                 ..ProjectPass::new(Pass::Image, format!("{VERSION}{text}"))
             };
             Project::of_pass(&self.info.name, pass)
@@ -121,11 +138,19 @@ impl Project {
         }
     }
 
-    fn of_plan(title: &str, host: &'static Preset, plan: Plan) -> Result<Project, ShaderError> {
+    fn of_plan(
+        title: &str,
+        host: &'static Preset,
+        plan: Plan,
+        own_pieces: &[TextPiece],
+    ) -> Result<Project, ShaderError> {
         let mut notes = plan.notes;
         let mut passes = Vec::new();
         let mut draws = plan.draws.into_iter();
-        for planned in plan.passes {
+        for mut planned in plan.passes {
+            if planned.is_of_text {
+                planned.pieces = own_pieces.to_vec();
+            }
             let pass = own(planned, &mut notes)?;
             passes.push(ProjectPass {
                 draw: draws.next().unwrap_or_default(),
@@ -253,23 +278,17 @@ const VERSION: &str = "#version 300 es\n";
 /// A pass that is a complete shader.
 fn own(planned: PlannedPass, notes: &mut Vec<String>) -> Result<ProjectPass, ShaderError> {
     let best = dialect::best(planned.candidates).ok_or(ShaderError::TooLarge)?;
-    if let Some(note) = best.note.filter(|n| !notes.contains(n)) {
-        notes.push(note);
-    }
+    notes.extend(best.note.clone().filter(|n| !notes.contains(n)));
     let given = planned.inputs.into_iter().map(|input| Input {
         is_given: true,
         ..input
     });
     Ok(ProjectPass {
         name: planned.name,
-        wrapper: Wrapper::Own,
-        before: best.before,
-        after: best.after,
-        stage: best.stage,
         inputs: given.collect(),
         output: Some(planned.output),
         pieces: planned.pieces,
-        ..ProjectPass::new(planned.kind, best.code)
+        ..ProjectPass::completed(planned.kind, best)
     })
 }
 

@@ -1,10 +1,11 @@
 //! Finds the shaders of a gallery, and names their pages.
 
-use crate::cli::port::load::in_folder;
+use crate::cli::disk::Disk;
 use crate::cli::port::read::{plain_error, read_text};
 use crate::cli::port::save::file_name;
 use crate::detect::kind::{Claim, FileKind, decide};
-use crate::project::{PassRole, exports_in};
+use crate::engine::Options;
+use crate::project::{PassRole, exports_in, folder_passes};
 use crate::text::path::slashed;
 use std::collections::BTreeMap;
 use std::fs;
@@ -124,7 +125,8 @@ fn find(
     depth: usize,
     found: &mut Vec<PathBuf>,
 ) -> Result<(), String> {
-    let passes = in_folder(folder).unwrap_or_default();
+    let options = Options::default();
+    let passes = folder_passes(folder, options.file_access(&Disk::new())).unwrap_or_default();
     if passes.iter().any(|(role, _)| *role == PassRole::Image) {
         found.push(folder.to_path_buf());
         return Ok(());

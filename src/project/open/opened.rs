@@ -1,0 +1,103 @@
+//! An opened project: passes, and what files beside them say.
+
+use super::channels::{GivenOrder, channel_file, orders_of};
+use crate::access::FileAccess;
+use crate::include::gathered::GatheredText;
+use crate::{ChannelOrder, MissingInclude, Project, ShaderError, SiblingTexts};
+use shaderlint_host::Preset;
+use std::path::{Path, PathBuf};
+
+/// An opened project, before its channels are resolved.
+pub struct OpenedProject {
+    /// The project. Its notes say what was guessed.
+    pub project: Project,
+    /// The shader that it was made from; `None` for exports and for passes in several files.
+    pub single: Option<SingleShader>,
+    /// The other files that it was read from.
+    pub read: Vec<PathBuf>,
+    /// The file or folder whose file of orders applies; `None` for passes named one by one.
+    pub place: Option<PathBuf>,
+    /// What files beside it say about its channels.
+    pub orders: Vec<GivenOrder>,
+}
+
+impl OpenedProject {
+    /// A project that was not read from files.
+    pub fn of(project: Project) -> OpenedProject {
+        OpenedProject {
+            project,
+            single: None,
+            read: Vec::new(),
+            place: None,
+            orders: Vec::new(),
+        }
+    }
+
+    /// Adds the orders in the file for a place.
+    pub(super) fn placed(
+        mut self,
+        place: &Path,
+        access: FileAccess,
+    ) -> Result<OpenedProject, String> {
+        let file = channel_file(place, access.files);
+        let orders = orders_of(&file, access.files)?;
+        if !orders.is_empty() {
+            self.orders = orders;
+            self.read.push(file);
+        }
+        self.place = Some(place.to_path_buf());
+        Ok(self)
+    }
+
+    /// Adds what is known from gathering a text.
+    pub(super) fn gathered(&mut self, text: &GatheredText) {
+        self.read.extend(text.read.iter().cloned());
+        let is_file = |missing: &&MissingInclude| missing.path.contains(['.', '/']);
+        for missing in text.missing.iter().filter(is_file) {
+            let note = missing.to_string();
+            if !self.project.notes.contains(&note) {
+                self.project.notes.push(note);
+            }
+        }
+    }
+
+    /// Adds the orders of the user, which take precedence over those of files.
+    ///
+    /// # Errors
+    /// If one is not an order.
+    pub fn order(&mut self, channels: &[String]) -> Result<(), String> {
+        for text in channels {
+            let by = "--channel".to_string();
+            let order = ChannelOrder::read(text).map_err(|e| format!("{by}: {e}"))?;
+            self.orders.push(GivenOrder { by, order });
+        }
+        Ok(())
+    }
+}
+
+/// A shader that was opened alone.
+pub struct SingleShader {
+    /// Its text with what it includes.
+    pub text: GatheredText,
+    pub(super) title: String,
+    pub(super) host: Option<&'static Preset>,
+    pub(super) siblings: SiblingTexts,
+}
+
+impl SingleShader {
+    /// The project of another version of the text.
+    ///
+    /// # Errors
+    /// If the text shows that it cannot be ported.
+    pub fn draft(&self, text: &str) -> Result<Project, ShaderError> {
+        let is_similar = text.lines().count() == self.text.text.lines().count();
+        let text = GatheredText {
+            pieces: match is_similar {
+                true => self.text.pieces.clone(),
+                false => Vec::new(),
+            },
+            ..GatheredText::of(text)
+        };
+        Project::draft_with_siblings(&self.title, &text, self.host, &self.siblings)
+    }
+}

@@ -1,0 +1,384 @@
+//! One question has one answer: every command and protocol opens the same project.
+//!
+//! Each row is a project with one call of `glow`. As it is, nothing reports an error. With the call
+//! misspelt, every front reports the error at the same place of the same file.
+
+use super::scratch::{Ran, Scratch};
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Write};
+use std::process::Stdio;
+
+/// A project, and what is opened of it.
+struct Row {
+    name: &'static str,
+    files: &'static [(&'static str, &'static str)],
+    /// The file or folder that is opened.
+    open: &'static str,
+    /// The file and the line of the call.
+    call: (&'static str, u32),
+}
+
+const GLOW: &str = "float glow(float x) { return sin(x); }\n";
+const USES: &str = "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x));\n}\n";
+const SHOWS: &str =
+    "void mainImage(out vec4 c, in vec2 p) {\n    c = texture(iChannel0, p / iResolution.xy);\n}\n";
+
+const ROWS: &[Row] = &[
+    Row {
+        name: "a Common file beside the Image",
+        files: &[("d/common.glsl", GLOW), ("d/image.glsl", USES)],
+        open: "d/image.glsl",
+        call: ("d/image.glsl", 2),
+    },
+    Row {
+        name: "a folder of passes",
+        files: &[
+            ("d/common.glsl", GLOW),
+            ("d/bufferA.glsl", USES),
+            ("d/image.glsl", SHOWS),
+        ],
+        open: "d",
+        call: ("d/bufferA.glsl", 2),
+    },
+    Row {
+        name: "a pass of a folder of passes",
+        files: &[
+            ("d/common.glsl", GLOW),
+            ("d/bufferA.glsl", USES),
+            ("d/image.glsl", SHOWS),
+        ],
+        open: "d/bufferA.glsl",
+        call: ("d/bufferA.glsl", 2),
+    },
+    Row {
+        name: "an Image without the name of a pass",
+        files: &[("ripple.frag", USES), ("ripple_common.frag", GLOW)],
+        open: "ripple.frag",
+        call: ("ripple.frag", 2),
+    },
+    Row {
+        name: "a quoted include",
+        files: &[
+            ("lib/glow.glsl", GLOW),
+            (
+                "a.glsl",
+                concat!(
+                    "#include \"lib/glow.glsl\"\n",
+                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
+                ),
+            ),
+        ],
+        open: "a.glsl",
+        call: ("a.glsl", 2),
+    },
+    Row {
+        name: "an include in angle brackets, with a semicolon",
+        files: &[
+            ("common.glsl", GLOW),
+            (
+                "a.glsl",
+                concat!(
+                    "#include <common.glsl>;\n",
+                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
+                ),
+            ),
+        ],
+        open: "a.glsl",
+        call: ("a.glsl", 2),
+    },
+    Row {
+        name: "includes of includes",
+        files: &[
+            (
+                "lib/deep/sine.glsl",
+                "float sine(float x) { return sin(x); }\n",
+            ),
+            (
+                "lib/glow.glsl",
+                "#include \"./deep/sine.glsl\"\nfloat glow(float x) { return sine(x); }\n",
+            ),
+            (
+                "lib/use.glsl",
+                "#include './glow'\nfloat used(float x) {\n    return glow(x);\n}\n",
+            ),
+            (
+                "a.frag",
+                "#version 300 es\nprecision highp float;\n#include \"lib/use.glsl\"\nout vec4 c;\nvoid main() { c = vec4(used(gl_FragCoord.x)); }\n",
+            ),
+        ],
+        open: "a.frag",
+        call: ("lib/use.glsl", 3),
+    },
+    Row {
+        name: "a pragma, and an include from the root",
+        files: &[
+            ("package.json", "{}"),
+            ("lib/glow.glsl", GLOW),
+            ("src/b.glsl", "#pragma include \"/lib/glow.glsl\"\n"),
+            (
+                "src/a.frag",
+                "#version 300 es\nprecision highp float;\n@import ./b.glsl;\nout vec4 c;\nvoid main() {\n    c = vec4(glow(gl_FragCoord.x));\n}\n",
+            ),
+        ],
+        open: "src/a.frag",
+        call: ("src/a.frag", 6),
+    },
+    Row {
+        name: "a module of a package",
+        files: &[
+            ("package.json", "{}"),
+            (
+                "node_modules/glsl-glow/package.json",
+                "{\"glslify\": \"index.glsl\"}",
+            ),
+            (
+                "node_modules/glsl-glow/index.glsl",
+                "float glow(float x) { return sin(x); }\n#pragma glslify: export(glow)\n",
+            ),
+            (
+                "a.frag",
+                "#version 300 es\nprecision highp float;\n#pragma glslify: glow = require(glsl-glow)\nout vec4 c;\nvoid main() {\n    c = vec4(glow(gl_FragCoord.x));\n}\n",
+            ),
+        ],
+        open: "a.frag",
+        call: ("a.frag", 6),
+    },
+    Row {
+        name: "an include in a pass of a folder",
+        files: &[
+            ("d/lib/glow.glsl", GLOW),
+            ("d/image.glsl", SHOWS),
+            (
+                "d/bufferA.glsl",
+                concat!(
+                    "#include \"lib/glow.glsl\"\n",
+                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
+                ),
+            ),
+        ],
+        open: "d",
+        call: ("d/bufferA.glsl", 2),
+    },
+    Row {
+        name: "a pass with the uniforms of the player",
+        files: &[(
+            "a.glsl",
+            "uniform vec3 iResolution;\nuniform float iTime;\nfloat glow(float x) { return sin(x); }\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x / iResolution.x + iTime));\n}\n",
+        )],
+        open: "a.glsl",
+        call: ("a.glsl", 5),
+    },
+    Row {
+        name: "a pass with a version",
+        files: &[(
+            "a.glsl",
+            "#version 300 es\nprecision highp float;\nfloat glow(float x) { return sin(x); }\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x / iResolution.x + iTime));\n}\n",
+        )],
+        open: "a.glsl",
+        call: ("a.glsl", 5),
+    },
+    Row {
+        name: "a pass with uniforms of its own",
+        files: &[(
+            "a.glsl",
+            "uniform float uSize;\nfloat glow(float x) { return sin(x); }\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x / uSize));\n}\n",
+        )],
+        open: "a.glsl",
+        call: ("a.glsl", 4),
+    },
+    Row {
+        name: "a buffer of VS Code Shader Toy, by a path in the workspace",
+        files: &[
+            (".git/HEAD", ""),
+            ("sub/glow.glsl", GLOW),
+            (
+                "sub/buf.glsl",
+                concat!(
+                    "#include \"glow.glsl\"\n",
+                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
+                ),
+            ),
+            (
+                "sub/a.glsl",
+                "#iChannel0 \"file://sub/buf.glsl\"\n#include \"glow.glsl\"\n\
+                 void mainImage(out vec4 c, in vec2 p) {\n    \
+                 c = texture(iChannel0, p / iResolution.xy) * glow(p.y);\n}\n",
+            ),
+        ],
+        open: "sub/a.glsl",
+        call: ("sub/a.glsl", 4),
+    },
+];
+
+impl Row {
+    /// The project with the call misspelt, or as it is.
+    fn scratch(&self, is_broken: bool) -> Scratch {
+        let scratch = Scratch::new(self.files);
+        let (file, _) = self.call;
+        if is_broken {
+            let text = scratch.read(file);
+            let at = text.rfind("glow(").unwrap();
+            scratch.write(file, format!("{}glowx{}", &text[..at], &text[at + 4..]));
+        }
+        scratch
+    }
+
+    fn is_folder(&self) -> bool {
+        !self.open.contains('.')
+    }
+}
+
+/// A command or protocol that opens a project: its name, and how it answers.
+type Front = (&'static str, fn(&Scratch, &str) -> Ran);
+
+const FRONTS: &[Front] = &[
+    ("check", |at, open| at.run(&[open, "--format", "short"])),
+    ("fix", |at, open| {
+        at.run(&["--fix", open, "--format", "short"])
+    }),
+    ("run", |at, open| at.run(&["run", open, "--size", "16x9"])),
+    ("test", |at, open| at.run(&["test", open])),
+    ("page", |at, open| {
+        ported(at, &format!("{open} -o out/a.html"))
+    }),
+    ("module", |at, open| {
+        ported(at, &format!("{open} -t module -o out/a.js"))
+    }),
+    ("text", |at, open| {
+        ported(at, &format!("{open} -t glsl -o out"))
+    }),
+    ("debugger", debugged),
+    ("preview", previewed),
+];
+
+fn ported(at: &Scratch, args: &str) -> Ran {
+    let out = at.port_command(args).output().unwrap();
+    Ran {
+        code: out.status.code().unwrap(),
+        out: String::from_utf8(out.stdout).unwrap(),
+        err: String::from_utf8(out.stderr).unwrap(),
+    }
+}
+
+/// Messages of a protocol with a header before each.
+fn framed(messages: &[Value]) -> String {
+    let framed = messages.iter().map(|message| {
+        let text = message.to_string();
+        format!("Content-Length: {}\r\n\r\n{text}", text.len())
+    });
+    framed.collect()
+}
+
+fn debugged(at: &Scratch, open: &str) -> Ran {
+    let request = |seq: u32, command: &str, arguments: Value| json!({"seq": seq, "type": "request", "command": command, "arguments": arguments});
+    let launch = json!({"program": at.path(open), "pixel": [1, 1], "size": [16, 9]});
+    at.pipe(
+        &framed(&[
+            request(1, "initialize", json!({"adapterID": "shaderlint"})),
+            request(2, "launch", launch),
+            request(3, "configurationDone", json!({})),
+            request(4, "disconnect", json!({})),
+        ]),
+        &["dap"],
+    )
+}
+
+fn previewed(at: &Scratch, open: &str) -> Ran {
+    let uri = format!("file://{}", at.path(open).display());
+    let ask = |id: u32, method: &str, params: Value| json!({"jsonrpc": "2.0", "id": id, "method": method, "params": params});
+    let tell =
+        |method: &str, params: Value| json!({"jsonrpc": "2.0", "method": method, "params": params});
+    let document = json!({"uri": uri, "languageId": "glsl", "version": 1, "text": at.read(open)});
+    let root = format!("file://{}", at.path("").display());
+    let mut server = at.command(&["lsp"]);
+    let mut server = server
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = server.stdin.take().unwrap();
+    let mut output = BufReader::new(server.stdout.take().unwrap());
+    let asked = framed(&[
+        ask(
+            1,
+            "initialize",
+            json!({"rootUri": root, "capabilities": {}}),
+        ),
+        tell("initialized", json!({})),
+        tell("textDocument/didOpen", json!({"textDocument": document})),
+        ask(2, "shaderlint/page", json!({"textDocument": {"uri": uri}})),
+    ]);
+    input.write_all(asked.as_bytes()).unwrap();
+    let answer = loop {
+        let message = read_message(&mut output);
+        if message["id"] == 2 {
+            break message;
+        }
+    };
+    let end = framed(&[ask(3, "shutdown", Value::Null), tell("exit", Value::Null)]);
+    input.write_all(end.as_bytes()).unwrap();
+    server.wait().unwrap();
+    let message = &answer["error"]["message"];
+    Ran {
+        code: i32::from(!message.is_null()),
+        out: message.to_string(),
+        err: String::new(),
+    }
+}
+
+fn read_message(from: &mut impl BufRead) -> Value {
+    let mut length = 0;
+    loop {
+        let mut line = String::new();
+        from.read_line(&mut line).unwrap();
+        match line.trim().strip_prefix("Content-Length: ") {
+            Some(number) => length = number.parse().unwrap(),
+            None if line.trim().is_empty() => break,
+            None => {}
+        }
+    }
+    let mut body = vec![0; length];
+    from.read_exact(&mut body).unwrap();
+    serde_json::from_slice(&body).unwrap()
+}
+
+#[test]
+fn every_front_opens_the_same_project() {
+    let mut wrong = Vec::new();
+    for row in ROWS {
+        for (front, answer) in FRONTS {
+            if row.is_folder() && *front == "preview" {
+                continue;
+            }
+            for is_broken in [false, true] {
+                // Without tests and golden images, nothing of the file is run.
+                if is_broken && *front == "test" {
+                    continue;
+                }
+                let ran = answer(&row.scratch(is_broken), row.open);
+                let said = format!("{}{}", ran.out, ran.err);
+                let (file, line) = row.call;
+                let is_named = said.contains("glowx") && said.contains(&place(front, file, line));
+                // `test` finds no tests in most of them.
+                let fails = ran.code == 1 || ran.code != 0 && *front != "test";
+                if is_named != is_broken || !is_broken && fails {
+                    let start = said.len().saturating_sub(700);
+                    let short = said.get(start..).unwrap_or(&said);
+                    wrong.push(format!(
+                        "{}: {front}, broken: {is_broken}, code {}: {short}",
+                        row.name, ran.code
+                    ));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+/// How a front writes a place. A preview is of the document, and names only the line.
+fn place(front: &str, file: &str, line: u32) -> String {
+    match front {
+        "preview" => format!("line {line}:"),
+        _ => format!("{file}:{line}:"),
+    }
+}
