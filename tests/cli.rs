@@ -240,7 +240,7 @@ fn invalid_input_writes_no_files() {
             (Some(2), format!("shaderport: {input}: {message}\n"))
         );
     };
-    check("missing.glsl", "No such file or directory");
+    check("missing.glsl", "no such file or folder");
     check(
         "empty.glsl",
         "no entry point: expected `mainImage` (ShaderToy) or `main`",

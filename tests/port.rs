@@ -327,7 +327,7 @@ fn all_unicode_encodings_are_read() {
     );
     folder.port_fails(
         "p/image.glsl/x -o x.html",
-        "p/image.glsl/x: Not a directory",
+        "p/image.glsl/x: no such file or folder",
     );
 }
 

@@ -1,32 +1,23 @@
 //! A temporary folder to run the programs in, for all tests.
 
 use insta_cmd::get_cargo_bin;
+use shaderlint::cli::{ProgramName, described};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 
 /// A folder that is deleted at the end of the test.
 pub struct Scratch(tempfile::TempDir);
 
-/// The subcommands that check no files, or always sample them.
-const OTHER_COMMANDS: [&str; 15] = [
-    "dap",
-    "check",
-    "help",
-    "init",
-    "fmt",
-    "lsp",
-    "run",
-    "test",
-    "explain",
-    "rules",
-    "completions",
-    "man",
-    "schema",
-    "reduce",
-    "ir",
-];
+/// The commands, which check no files or sample them if asked.
+static COMMANDS: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let mut program = described(ProgramName::Shaderlint);
+    program.build();
+    let names = program.get_subcommands().map(|c| c.get_name().to_string());
+    names.collect()
+});
 
 /// Result of a run.
 #[derive(Debug)]
@@ -71,7 +62,7 @@ impl Scratch {
     /// here draw nothing of interest; sampling has its own tests.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = Command::new(get_cargo_bin("shaderlint"));
-        let says_itself = |arg: &&str| OTHER_COMMANDS.contains(arg) || arg.contains("-run");
+        let says_itself = |arg: &&str| COMMANDS.iter().any(|c| c == arg) || arg.contains("-run");
         if !args.iter().any(says_itself) {
             command.arg("--no-run");
         }

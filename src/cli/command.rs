@@ -1,5 +1,7 @@
 //! Exit codes of all commands, and messages on standard error.
 
+use super::global::{Talk, given};
+use clap::ValueEnum;
 use std::io::{self, Write};
 
 /// Success: nothing at or above the threshold.
@@ -9,7 +11,19 @@ pub const FINDINGS: u8 = 1;
 /// Wrong usage, or a file that cannot be read or written.
 pub const FAILED: u8 = 2;
 
-/// Prints a message on standard error.
+/// The values of `--format` of commands for people and programs.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
+pub enum TextOrJson {
+    /// Text
+    #[default]
+    Human,
+    /// One JSON object
+    Json,
+}
+
+/// Prints a message on standard error, unless `-qq` is given.
 pub fn complain(message: &str) {
-    let _ = writeln!(io::stderr(), "shaderlint: {message}");
+    if given().talk() > Talk::Nothing {
+        let _ = writeln!(io::stderr(), "shaderlint: {message}");
+    }
 }

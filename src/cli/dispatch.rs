@@ -1,15 +1,15 @@
 //! Runs the command that the arguments of `shaderlint` name.
 
-use super::command::{CLEAN, FAILED, FINDINGS, complain};
+use super::command::{CLEAN, FAILED, FINDINGS, TextOrJson, complain};
 #[cfg(feature = "dap")]
 use super::dap;
-use super::lint::{self, Command, LintArgs, ListFormat, ProgramName, init, ir, reduce};
+use super::lint::{self, Command, LintArgs, ProgramName, init, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
 use super::port::PortArgs;
 use super::{fmt, run as draw, test};
 #[cfg(feature = "mcp")]
-use super::{mcp, port};
+use super::{mcp, port, usage};
 use crate::commands::{self, rule_list, rule_table};
 use crate::engine::config::schema;
 use clap::CommandFactory;
@@ -17,6 +17,7 @@ use std::io::{self, Write};
 
 /// Runs the command and returns the exit code.
 pub fn run(args: &LintArgs) -> u8 {
+    args.global.apply();
     let code = match (&args.command, &args.explain) {
         (Some(command), _) => run_command(command),
         (None, Some(name)) => explain(std::slice::from_ref(name)),
@@ -58,13 +59,12 @@ fn run_command(command: &Command) -> io::Result<u8> {
         Command::Mcp => return mcp::serve().map(|()| CLEAN),
         #[cfg(feature = "mcp")]
         Command::Port { args } => {
-            use clap::Parser;
             let args = std::iter::once("shaderport".into()).chain(args.iter().cloned());
-            return Ok(port::run(&PortArgs::parse_from(args)));
+            return Ok(usage::read(args).map_or_else(|code| code, |args| port::run(&args)));
         }
         Command::Rules { format } => match format {
-            ListFormat::Human => text = rule_table().into_bytes(),
-            ListFormat::Json => {
+            TextOrJson::Human => text = rule_table().into_bytes(),
+            TextOrJson::Json => {
                 text = serde_json::to_vec_pretty(&rule_list())?;
                 text.push(b'\n');
             }
@@ -82,7 +82,7 @@ fn run_command(command: &Command) -> io::Result<u8> {
 }
 
 /// The arguments of a program.
-fn described(program: ProgramName) -> clap::Command {
+pub fn described(program: ProgramName) -> clap::Command {
     match program {
         ProgramName::Shaderlint => LintArgs::command(),
         ProgramName::Shaderport => PortArgs::command(),
@@ -91,6 +91,10 @@ fn described(program: ProgramName) -> clap::Command {
 
 /// Prints the documentation of a rule, compile error or host, and returns the exit code.
 fn explain(words: &[String]) -> io::Result<u8> {
+    if words.is_empty() {
+        complain("`explain` requires a name; `shaderlint rules` lists those of rules");
+        return Ok(FAILED);
+    }
     match commands::explain(words) {
         Ok(text) => {
             io::stdout().lock().write_all(text.as_bytes())?;

@@ -1,6 +1,7 @@
 //! Finds and reads input files.
 
 use super::config::absolute;
+use super::usage::missing;
 use crate::detect::kind::{Claim, is_script, is_searched, made};
 use crate::engine::config::Configs;
 use crate::text::Content;
@@ -101,7 +102,7 @@ pub fn collect(paths: &[PathBuf], stdin_name: Option<&str>, configs: &Configs) -
                 });
             }
         } else {
-            problems.push(format!("{}: no such file or folder", shown(path)));
+            problems.push(format!("{}: {}", shown(path), missing(path)));
         }
     }
     let mut seen = std::collections::HashSet::new();

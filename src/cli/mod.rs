@@ -15,6 +15,7 @@ mod dispatch;
 mod fmt;
 #[cfg(any(feature = "dap", feature = "lsp"))]
 mod framing;
+mod global;
 mod image_file;
 mod input;
 mod lint;
@@ -28,8 +29,11 @@ mod port;
 mod progress;
 mod run;
 mod test;
+mod usage;
 mod watch;
 
+pub use dispatch::described;
+pub use lint::ProgramName;
 pub use parallel::STACK;
 
 use clap::Parser;
@@ -38,17 +42,18 @@ use std::process::ExitCode;
 
 /// Runs `shaderlint` with the arguments of the process.
 pub fn shaderlint() -> ExitCode {
-    with_stack(|| dispatch::run(&lint::LintArgs::parse()))
+    with_stack(|args: lint::LintArgs| dispatch::run(&args))
 }
 
 /// Runs `shaderport` with the arguments of the process.
 pub fn shaderport() -> ExitCode {
-    with_stack(|| port::run(&port::PortArgs::parse()))
+    with_stack(|args: port::PortArgs| port::run(&args))
 }
 
-/// Runs a program on a thread with [`STACK`].
-fn with_stack(program: fn() -> u8) -> ExitCode {
-    let thread = std::thread::Builder::new().stack_size(STACK).spawn(program);
+/// Runs a program with its arguments on a thread with [`STACK`].
+fn with_stack<P: Parser + 'static>(program: fn(P) -> u8) -> ExitCode {
+    let whole = move || usage::read(std::env::args_os()).map_or_else(|code| code, program);
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(whole);
     match thread.map(std::thread::JoinHandle::join) {
         Ok(Ok(code)) => ExitCode::from(code),
         Ok(Err(_)) => ExitCode::from(FAILED),

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
@@ -35,6 +36,14 @@ impl Stamp {
         for (path, seen) in &other.0 {
             self.0.entry(path.clone()).or_insert(*seen);
         }
+    }
+}
+
+/// Clears the terminal and moves the cursor to the top.
+pub fn clear_screen() -> io::Result<()> {
+    match io::stdout().is_terminal() {
+        true => write!(io::stdout(), "\x1b[2J\x1b[H"),
+        false => Ok(()),
     }
 }
 

@@ -1,6 +1,7 @@
-//! `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
+//! Global options, `explain`, `rules`, `reduce`, `completions`, `man`, `--watch`.
 
 use crate::scratch::{BROKEN, Scratch, after_fix};
+use shaderlint::cli::{ProgramName, described};
 use shaderlint::lint::ALIASES;
 use shaderlint::rules::RULES;
 use std::io::{BufRead, BufReader, Read};
@@ -100,6 +101,71 @@ fn check_help_and_init_are_commands() {
     assert_eq!(again.code, 2);
     assert!(again.err.contains("exists already"), "{}", again.err);
     assert_eq!(scratch.read("shaderlint.toml"), before);
+}
+
+/// Every global option, with a value if it takes one.
+fn global_options(program: &clap::Command) -> Vec<Vec<String>> {
+    let globals = program.get_arguments().filter(|arg| arg.is_global_set());
+    let globals = globals.map(|arg| {
+        let long = format!("--{}", arg.get_long().unwrap());
+        let values = arg.get_possible_values();
+        let value = values.first().map_or("none.toml", |value| value.get_name());
+        let takes = arg.get_action().takes_values();
+        let value = takes.then(|| value.to_string());
+        [Some(long), value].into_iter().flatten().collect()
+    });
+    globals.collect()
+}
+
+#[test]
+fn global_options_are_accepted_before_and_after_every_command() {
+    let mut program = described(ProgramName::Shaderlint);
+    program.build();
+    let globals = global_options(&program);
+    assert!(globals.len() >= 5, "{globals:?}");
+    let scratch = Scratch::new(&[]);
+    let names = program.get_subcommands().map(|c| c.get_name());
+    for name in names.filter(|name| *name != "help") {
+        let help = scratch.run(&[name, "--help"]);
+        assert_eq!((help.code, help.err.as_str()), (0, ""), "{name}");
+        assert!(help.out.contains("Usage: "), "{name}: {}", help.out);
+        for global in &globals {
+            let global: Vec<&str> = global.iter().map(String::as_str).collect();
+            let before = scratch.run(&[&global, &[name, "--help"][..]].concat());
+            let after = scratch.run(&[&[name][..], &global, &["--help"]].concat());
+            for ran in [before, after] {
+                assert_eq!((ran.code, &ran.out), (0, &help.out), "{global:?} {name}");
+            }
+        }
+    }
+    for global in &globals {
+        let global: Vec<&str> = global.iter().map(String::as_str).collect();
+        let before = scratch.run(&[&global, &["--explain", "vector-size"][..]].concat());
+        let after = scratch.run(&[&["--explain", "vector-size"][..], &global].concat());
+        for ran in [before, after] {
+            assert!(
+                ran.out.starts_with("# vector-size\n"),
+                "{global:?}: {ran:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn global_options_before_a_command_have_an_effect() {
+    let shader = "void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(iTime);\n}\n";
+    let scratch = Scratch::new(&[("a.glsl", shader), ("wide.toml", "[format]\nindent = 8\n")]);
+    let wide = scratch.run(&["--config", "wide.toml", "fmt", "--diff", "a.glsl"]);
+    assert!(wide.out.contains("\n+        c = "), "{}", wide.out);
+    let quiet = scratch.run(&["-q", "fmt", "--check", "a.glsl"]);
+    assert_eq!((quiet.code, quiet.err.as_str()), (1, ""));
+    let run = ["run", "a.glsl", "--size", "4x4"];
+    let colored = scratch.run(&[&["--color", "always"], &run[..]].concat());
+    assert!(colored.out.contains('\u{1b}'), "{}", colored.out);
+    let missing = scratch.run(&[&["--config", "missing.toml"], &run[..]].concat());
+    assert!(missing.err.contains("missing.toml"), "{}", missing.err);
+    let nothing = scratch.run(&["-qq", "run", "missing.glsl"]);
+    assert_eq!((nothing.code, nothing.err.as_str()), (2, ""));
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod includes;
 mod kinds;
 mod links;
 mod marching;
+mod mistakes;
 mod outputs;
 mod parts;
 mod readme;

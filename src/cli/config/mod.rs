@@ -3,6 +3,7 @@
 mod editor;
 
 use super::disk::Disk;
+use super::global::given;
 use crate::engine::config::{ConfigArgs, Configs, ProjectLimit};
 use crate::format::StyleChoice;
 use crate::host::{Preset, host_named, kept, read as read_host};
@@ -11,8 +12,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The configurations of files on disk. Reads none yet.
+/// The configurations of files on disk, or the one that the user names. Reads none yet.
 pub fn configs(asked: ConfigArgs) -> Configs {
+    let source = given().source();
+    let asked = ConfigArgs { source, ..asked };
     Configs::new(Arc::new(Disk::new()), project_limit(), asked)
 }
 

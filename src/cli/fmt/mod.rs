@@ -6,6 +6,7 @@ pub use args::FormatArgs;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
 use super::config::{configs, style};
+use super::global::given;
 use super::input::{InputFile, collect, read};
 use super::output::{diff, replace};
 use super::parallel::in_order;
@@ -24,7 +25,7 @@ pub fn run(args: &FormatArgs) -> io::Result<u8> {
         complain(&message);
         return Ok(FAILED);
     }
-    let collected = collect(&args.paths(), args.stdin_filename.as_deref(), &configs);
+    let collected = collect(&args.paths, args.stdin_filename.as_deref(), &configs);
     collected.problems.iter().for_each(|p| complain(p));
     let inputs = &collected.inputs;
     let mut tally = FormatTally {
@@ -40,7 +41,7 @@ pub fn run(args: &FormatArgs) -> io::Result<u8> {
         Some((input, outcome)) => tally.outcome(args, input, outcome),
         None => Ok(()),
     })?;
-    if !args.quiet {
+    if given().quiet == 0 {
         tally.sum_up(args);
     }
     Ok(match (tally.has_failed, args.check && tally.changed > 0) {
@@ -130,7 +131,7 @@ impl FormatTally {
                 self.formatted(args, input, &old, &new)
             }
             FormatOutcome::Skipped(reason, text) => {
-                if input.is_explicit && !args.quiet {
+                if input.is_explicit && given().quiet == 0 {
                     complain(&format!("{}: skipped: {reason}", input.name));
                 }
                 // Standard input is passed through unchanged.

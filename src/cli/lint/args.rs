@@ -1,13 +1,14 @@
 //! The arguments of `shaderlint`.
 
-use super::super::color::ColorChoice;
+use super::super::command::TextOrJson;
+use super::super::global::GlobalArgs;
 use crate::cli::config::host_of;
 use crate::engine::DialectChoice;
-use crate::engine::config::{ConfigArgs, ConfigSource, Exclusion, Selection};
+use crate::engine::config::{ConfigArgs, Exclusion, Selection};
 use crate::host::Preset;
 use crate::lint::Infos;
 use crate::report::Format;
-use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 #[cfg(feature = "mcp")]
 use std::ffi::OsString;
@@ -16,7 +17,6 @@ use std::path::PathBuf;
 /// A linter for GLSL shaders in WebGL2 and ShaderToy.
 #[derive(Parser, Debug)]
 #[command(name = "shaderlint", version, max_term_width = 100)]
-#[command(args_conflicts_with_subcommands = true)]
 #[command(override_usage = "shaderlint [OPTIONS] [PATH]...\n       shaderlint <COMMAND>")]
 #[command(after_help = EXIT_CODES)]
 pub struct LintArgs {
@@ -26,6 +26,9 @@ pub struct LintArgs {
     /// What to check if there is no command
     #[command(flatten)]
     pub check: CheckArgs,
+    /// The options of all commands
+    #[command(flatten)]
+    pub global: GlobalArgs,
 
     /// Print the documentation of a rule or a compile error
     #[arg(long, value_name = "NAME", conflicts_with = "paths", hide = true)]
@@ -36,7 +39,7 @@ pub struct LintArgs {
 #[derive(Args, Debug)]
 pub struct CheckArgs {
     /// Files or folders to check, or `-` for standard input [default: the current folder]
-    #[arg(value_name = "PATH")]
+    #[arg(value_name = "PATH", default_value = ".", hide_default_value = true)]
     pub paths: Vec<PathBuf>,
 
     /// Site or library that the shaders are written for, such as `three`, or a file that describes one;
@@ -45,14 +48,8 @@ pub struct CheckArgs {
     #[arg(conflicts_with = "dialect")]
     pub host: Option<&'static Preset>,
     /// Dialect of the shaders: auto, shadertoy, webgl2, webgl1
-    #[arg(
-        long,
-        value_enum,
-        default_value_t,
-        value_name = "DIALECT",
-        help_heading = "Files"
-    )]
-    #[arg(hide_possible_values = true)]
+    #[arg(long, value_enum, default_value_t, value_name = "DIALECT")]
+    #[arg(help_heading = "Files", hide_possible_values = true)]
     pub dialect: DialectChoice,
     /// Apply the `exclude` setting to files named on the command line too
     #[arg(long, help_heading = "Files")]
@@ -62,29 +59,16 @@ pub struct CheckArgs {
     pub stdin_filename: Option<String>,
 
     /// Enable these rules or groups; `all` enables every rule
-    #[arg(
-        long,
-        value_name = "RULE",
-        value_delimiter = ',',
-        help_heading = "Rules"
-    )]
+    #[arg(long, value_name = "RULE", value_delimiter = ',')]
+    #[arg(help_heading = "Rules")]
     pub select: Vec<String>,
     /// Disable these rules or groups; the more specific of --select and --ignore wins
-    #[arg(
-        long,
-        value_name = "RULE",
-        value_delimiter = ',',
-        help_heading = "Rules"
-    )]
+    #[arg(long, value_name = "RULE", value_delimiter = ',')]
+    #[arg(help_heading = "Rules")]
     pub ignore: Vec<String>,
     /// Report only these rules, groups or compile errors
-    #[arg(
-        long,
-        value_name = "RULE",
-        value_delimiter = ',',
-        help_heading = "Rules"
-    )]
-    #[arg(conflicts_with_all = ["select", "ignore"])]
+    #[arg(long, value_name = "RULE", value_delimiter = ',')]
+    #[arg(help_heading = "Rules", conflicts_with_all = ["select", "ignore"])]
     pub only: Vec<String>,
     /// Also report infos; by default they are only counted
     #[arg(long, help_heading = "Rules")]
@@ -93,12 +77,8 @@ pub struct CheckArgs {
     #[arg(long, help_heading = "Rules")]
     pub no_run: bool,
     /// Sample N pixels of each shader, however long it takes, instead of up to 4096
-    #[arg(
-        long,
-        value_name = "N",
-        conflicts_with = "no_run",
-        help_heading = "Rules"
-    )]
+    #[arg(long, value_name = "N", conflicts_with = "no_run")]
+    #[arg(help_heading = "Rules")]
     pub run_samples: Option<u32>,
 
     /// Apply safe fixes, which do not change the image
@@ -112,21 +92,9 @@ pub struct CheckArgs {
     pub diff: bool,
 
     /// Output format: human, short, agent, json, jsonl, sarif, github, gitlab, junit, checkstyle
-    #[arg(
-        long,
-        value_enum,
-        default_value_t,
-        value_name = "FORMAT",
-        help_heading = "Output"
-    )]
-    #[arg(hide_possible_values = true)]
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    #[arg(help_heading = "Output", hide_possible_values = true)]
     pub format: FormatChoice,
-    /// Show how each file was interpreted and what was skipped
-    #[arg(short, long, conflicts_with = "quiet", help_heading = "Output")]
-    pub verbose: bool,
-    /// Print findings without a summary; -qq prints nothing
-    #[arg(short, long, action = ArgAction::Count, help_heading = "Output")]
-    pub quiet: u8,
     /// Print the number of findings of each rule instead of the findings
     #[arg(long, conflicts_with = "diff", help_heading = "Output")]
     pub statistics: bool,
@@ -136,28 +104,6 @@ pub struct CheckArgs {
     /// Check again whenever a file changes
     #[arg(long, help_heading = "Output")]
     pub watch: bool,
-    /// When to use colours: auto, always, never
-    #[arg(
-        long,
-        value_enum,
-        default_value_t,
-        value_name = "WHEN",
-        help_heading = "Output"
-    )]
-    #[arg(hide_possible_values = true)]
-    pub color: ColorChoice,
-
-    /// Configuration file to use instead of the nearest shaderlint.toml above each file
-    #[arg(
-        long,
-        value_name = "FILE",
-        conflicts_with = "no_config",
-        help_heading = "Configuration"
-    )]
-    pub config: Option<PathBuf>,
-    /// Ignore all configuration files
-    #[arg(long, help_heading = "Configuration")]
-    pub no_config: bool,
 
     /// Hide the findings listed in this baseline, and list its obsolete entries
     #[arg(long, value_name = "FILE", help_heading = "Baseline")]
@@ -196,7 +142,7 @@ pub enum Command {
     /// Show the documentation of a rule, a compile error or a host
     Explain {
         /// Name of the rule, compile error or host, a part of it, or words to search for
-        #[arg(value_name = "NAME", required = true)]
+        #[arg(value_name = "NAME")]
         words: Vec<String>,
     },
     /// List all rules; the JSON output also lists compile errors and options
@@ -204,7 +150,7 @@ pub enum Command {
         /// Output format: human, json
         #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
         #[arg(hide_possible_values = true)]
-        format: ListFormat,
+        format: TextOrJson,
     },
     /// Format shaders; only white space changes
     Fmt(super::super::fmt::FormatArgs),
@@ -237,7 +183,7 @@ pub enum Command {
     /// Run the Model Context Protocol (MCP) server over standard input and output
     #[cfg(feature = "mcp")]
     Mcp,
-    /// Run `shaderport`; for the MCP server, which only knows the path of this program
+    /// Run `shaderport`, which converts shaders: the MCP server only knows the path of this program
     #[cfg(feature = "mcp")]
     #[command(hide = true, disable_help_flag = true)]
     Port {
@@ -273,16 +219,6 @@ pub enum ProgramName {
     Shaderport,
 }
 
-/// The values of `--format` for lists.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
-pub enum ListFormat {
-    /// A table
-    #[default]
-    Human,
-    /// One JSON object
-    Json,
-}
-
 /// The values of `--format`.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
 pub enum FormatChoice {
@@ -310,19 +246,6 @@ pub enum FormatChoice {
     Junit,
     /// Checkstyle XML
     Checkstyle,
-}
-
-/// Verbosity of the output.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Talk {
-    /// `-qq`: the exit code only.
-    Nothing,
-    /// `-q`: findings without a summary.
-    Findings,
-    /// Findings and a summary.
-    Normal,
-    /// `-v`: also how each file was interpreted and what was skipped.
-    Verbose,
 }
 
 impl CheckArgs {
@@ -353,24 +276,6 @@ impl CheckArgs {
             )
     }
 
-    /// The verbosity that `-v` and `-q` select.
-    pub fn talk(&self) -> Talk {
-        match (self.verbose, self.quiet) {
-            (true, _) => Talk::Verbose,
-            (false, 0) => Talk::Normal,
-            (false, 1) => Talk::Findings,
-            (false, _) => Talk::Nothing,
-        }
-    }
-
-    /// The paths to check; the current folder if none are given.
-    pub fn paths(&self) -> Vec<PathBuf> {
-        match self.paths.as_slice() {
-            [] => vec![PathBuf::from(".")],
-            paths => paths.to_vec(),
-        }
-    }
-
     /// The options that concern configuration files.
     pub fn asked(&self) -> ConfigArgs {
         ConfigArgs {
@@ -386,17 +291,13 @@ impl CheckArgs {
                     false => Infos::Counted,
                 },
             },
-            source: match &self.config {
-                Some(file) => ConfigSource::File(file.clone()),
-                None if self.no_config => ConfigSource::Nowhere,
-                None => ConfigSource::Nearest,
-            },
             exclusion: if self.force_exclude {
                 Exclusion::Named
             } else {
                 Exclusion::Found
             },
-            paths: self.paths(),
+            paths: self.paths.clone(),
+            ..ConfigArgs::default()
         }
     }
 }

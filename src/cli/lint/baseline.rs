@@ -3,9 +3,10 @@
 
 use super::super::command::{CLEAN, FAILED, complain};
 use super::super::config::absolute;
+use super::super::global::{Talk, given};
 use super::super::input::InputFile;
 use super::super::output::{Overwrite, write as write_file};
-use super::args::{CheckArgs, Talk};
+use super::args::CheckArgs;
 use super::inputs::{CheckMode, Outcome, check_all};
 use crate::diagnostic::{Diagnostic, count};
 use crate::engine::config::Configs;
@@ -136,11 +137,6 @@ pub fn write(args: &CheckArgs, inputs: &[InputFile], configs: &Configs) -> io::R
     let Some(path) = &args.write_baseline else {
         return Ok(FAILED);
     };
-    let print_message = |message: &str| {
-        if args.talk() > Talk::Nothing {
-            complain(message);
-        }
-    };
     let mut old = match path.exists() {
         true => Some(Baseline::load(path)?),
         false => None,
@@ -175,11 +171,11 @@ pub fn write(args: &CheckArgs, inputs: &[InputFile], configs: &Configs) -> io::R
                 }
                 Outcome::Skipped(..) => {}
                 Outcome::Failed(message) => {
-                    print_message(&format!("{}: {message}", input.name));
+                    complain(&format!("{}: {message}", input.name));
                     all_well = false;
                 }
                 Outcome::Misconfigured(message) => {
-                    print_message(&message);
+                    complain(&message);
                     all_well = false;
                 }
             }
@@ -194,12 +190,12 @@ pub fn write(args: &CheckArgs, inputs: &[InputFile], configs: &Configs) -> io::R
     let mut text = serde_json::to_string_pretty(&json!({"schema": 1, "files": files}))?;
     text.push('\n');
     write_file(path, text.as_bytes(), Overwrite::Allowed)?;
-    if args.talk() >= Talk::Normal {
+    if given().talk() >= Talk::Normal {
         for ((file, rule), _) in old.iter().flat_map(|o| &o.stale) {
-            print_message(&format!("{file}: removed `{rule}`"));
+            complain(&format!("{file}: removed `{rule}`"));
         }
         let findings = count(written, "finding");
-        print_message(&format!("wrote {findings} to {}", path.display()));
+        complain(&format!("wrote {findings} to {}", path.display()));
     }
     Ok(if all_well { CLEAN } else { FAILED })
 }

@@ -2,8 +2,9 @@
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::super::config::configs;
+use super::super::global::{Talk, given};
 use super::super::input::{InputFile, collect};
-use super::args::{CheckArgs, Talk};
+use super::args::CheckArgs;
 use super::baseline::{self, Baseline};
 use super::cache::FindingCache;
 use super::fix::{AppliedFixes, FixMode};
@@ -23,19 +24,14 @@ use std::sync::Arc;
 
 /// Checks the paths once.
 pub fn check(args: &CheckArgs) -> io::Result<u8> {
-    let talk = args.talk();
-    let print_message = |message: &str| {
-        if talk > Talk::Nothing {
-            complain(message);
-        }
-    };
+    let talk = given().talk();
     let configs = configs(args.asked());
     if let Some(message) = configs.problem() {
-        print_message(&message);
+        complain(&message);
         return Ok(FAILED);
     }
-    let collected = collect(&args.paths(), args.stdin_filename.as_deref(), &configs);
-    collected.problems.iter().for_each(|p| print_message(p));
+    let collected = collect(&args.paths, args.stdin_filename.as_deref(), &configs);
+    collected.problems.iter().for_each(|p| complain(p));
     let failed = !collected.problems.is_empty();
     let inputs = &collected.inputs;
     if inputs.is_empty() && !failed && talk >= Talk::Normal {
@@ -78,8 +74,8 @@ fn check_inputs(
         args.format()
     };
     let mut printer = FindingPrinter {
-        reporter: reporter(args, format, prints_text),
-        talk: args.talk(),
+        reporter: reporter(format, prints_text),
+        talk: given().talk(),
         configs,
         baseline,
         reported: Vec::new(),
@@ -103,7 +99,8 @@ fn check_inputs(
         remaining_fix_mode = None;
     }
     // Fixes and baselines are about more of a report than the cache keeps.
-    let is_cached = fix_mode.is_none() && args.baseline.is_none() && args.talk() != Talk::Verbose;
+    let is_cached =
+        fix_mode.is_none() && args.baseline.is_none() && given().talk() != Talk::Verbose;
     let cache = (is_cached && !args.no_cache)
         .then(FindingCache::here)
         .flatten();
@@ -125,22 +122,18 @@ fn check_inputs(
 }
 
 /// The reporter of a run. It writes to standard error if fixed text takes standard output.
-fn reporter(
-    args: &CheckArgs,
-    format: Format,
-    prints_text: bool,
-) -> Reporter<BufWriter<Box<dyn Write>>> {
-    let out: Box<dyn Write> = match args.talk() {
+fn reporter(format: Format, prints_text: bool) -> Reporter<BufWriter<Box<dyn Write>>> {
+    let out: Box<dyn Write> = match given().talk() {
         Talk::Nothing => Box::new(io::sink()),
         _ if prints_text => Box::new(io::stderr()),
         _ => Box::new(io::stdout().lock()),
     };
     let here = slashed(std::env::current_dir().unwrap_or_default());
     let out = BufWriter::with_capacity(1 << 16, out);
-    let reporter = Reporter::new(format, out, args.color.is_on())
+    let reporter = Reporter::new(format, out, given().color.is_on())
         .with_pages(rule_page)
         .inside(&here);
-    match args.talk() {
+    match given().talk() {
         Talk::Nothing | Talk::Findings => reporter.without_summary(),
         Talk::Normal | Talk::Verbose => reporter.summing_up(),
     }
@@ -215,9 +208,7 @@ impl FindingPrinter<'_> {
     /// Prints a message on standard error.
     fn print_message(&mut self, message: &str) -> io::Result<()> {
         self.reporter.flush()?;
-        if self.talk > Talk::Nothing {
-            complain(message);
-        }
+        complain(message);
         Ok(())
     }
 

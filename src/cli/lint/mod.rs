@@ -13,7 +13,7 @@ pub mod reduce;
 mod verbose;
 mod watch;
 
-pub use args::{CheckArgs, Command, LintArgs, ListFormat, ProgramName};
+pub use args::{CheckArgs, Command, LintArgs, ProgramName};
 
 use std::io;
 

@@ -3,11 +3,12 @@
 use super::super::command::{FAILED, complain};
 use super::super::config::configs;
 use super::super::input::{InputFile, collect};
-use super::super::watch::{Stamp, wait};
+use super::super::usage::absent;
+use super::super::watch::{Stamp, clear_screen, wait};
 use super::args::CheckArgs;
 use super::check::check;
 use crate::engine::config::FILE;
-use std::io::{self, IsTerminal, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Runs until the process is ended. The two lines on standard error that frame each check are for
@@ -18,15 +19,12 @@ pub fn run(args: &CheckArgs) -> io::Result<u8> {
         return Ok(FAILED);
     }
     // A name that is wrong from the start is no file that an editor is about to write.
-    if let Some(missing) = args.paths.iter().find(|p| !p.exists()) {
-        complain(&format!("{}: no such file or folder", missing.display()));
+    if let Some(message) = absent(&args.paths) {
+        complain(&message);
         return Ok(FAILED);
     }
     loop {
-        if io::stdout().is_terminal() {
-            // Clears the screen and moves the cursor to the top.
-            write!(io::stdout(), "\x1b[2J\x1b[H")?;
-        }
+        clear_screen()?;
         complain("checking");
         let before = take_stamp(args);
         check(args)?;
@@ -43,7 +41,7 @@ pub fn run(args: &CheckArgs) -> io::Result<u8> {
 
 fn take_stamp(args: &CheckArgs) -> Stamp {
     let configs = configs(args.asked());
-    let inputs = collect(&args.paths(), args.stdin_filename.as_deref(), &configs).inputs;
+    let inputs = collect(&args.paths, args.stdin_filename.as_deref(), &configs).inputs;
     let files = inputs.iter().filter_map(|i| i.path.clone());
     let config_of = |i: &InputFile| configs.file_of(Path::new(&i.name));
     let here = PathBuf::from(FILE);

@@ -1,5 +1,7 @@
 //! Runs a command of this program in its own process.
 
+use crate::cli::global::given;
+use crate::engine::config::ConfigSource;
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::io;
@@ -61,8 +63,13 @@ impl OwnProgram {
     /// A message if the command cannot be started, exceeds the time limit or is killed by a signal.
     pub async fn run(&self, args: Vec<OsString>, input: &str) -> Result<CommandOutcome, String> {
         let permit = self.permits.clone().acquire_owned().await;
+        let config = match given().source() {
+            ConfigSource::File(file) => vec!["--config".into(), file.into()],
+            ConfigSource::Nowhere => vec!["--no-config".into()],
+            ConfigSource::Nearest => Vec::<OsString>::new(),
+        };
         let child = Command::new(&self.path)
-            .args(args)
+            .args(config.into_iter().chain(args))
             // The client's environment may force colours.
             .env("NO_COLOR", "1")
             .stdin(Stdio::piped())

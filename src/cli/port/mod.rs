@@ -20,6 +20,7 @@ pub(super) use read::read_text;
 pub(super) use save::save;
 
 use super::command::FAILED;
+use super::usage::absent;
 use args::PortCommand;
 use build::{build_output, print};
 use report::print_note;
@@ -41,6 +42,9 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     }
     if let Some(args) = gallery::gallery_of(args)? {
         return gallery::run(&args);
+    }
+    if let Some(message) = absent(&args.input) {
+        return Err(message);
     }
     if args.watch || args.serve.is_some() {
         return watch::run(args);

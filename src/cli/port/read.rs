@@ -1,5 +1,6 @@
 //! Reads input files, with a size limit and a notice while waiting for a pipe.
 
+use crate::cli::usage::missing;
 use crate::text::path::slashed;
 use crate::text::{Content, Encoding};
 use flate2::read::ZlibDecoder;
@@ -28,6 +29,9 @@ pub(in crate::cli) fn read_text(path: &Path) -> Result<String, String> {
     let bytes = match path.as_os_str() == "-" {
         true => wait_for("standard input", || Ok(io::stdin()))?,
         false => {
+            if !path.exists() {
+                return Err(wrong(missing(path)));
+            }
             let data = fs::metadata(path).map_err(|e| wrong(plain_error(&e)))?;
             if data.is_dir() {
                 return Err(wrong("expected a file, found a folder".to_string()));

@@ -1,6 +1,6 @@
 //! The arguments of `shaderlint run`.
 
-use super::super::color::ColorChoice;
+use crate::cli::command::TextOrJson;
 use crate::cli::image_file::decode;
 use crate::commands::run::{FrameView, HeatMap, ObservedRays, ShotSetting, Show, UniformText};
 use crate::engine::inputs::{Button, Moment, Mouse};
@@ -100,25 +100,9 @@ pub struct RunArgs {
     #[arg(help_heading = OUTPUT)]
     pub every: f64,
     /// Output format: human, json
-    #[arg(
-        long,
-        value_enum,
-        default_value_t,
-        value_name = "FORMAT",
-        help_heading = OUTPUT
-    )]
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT", help_heading = OUTPUT)]
     #[arg(hide_possible_values = true)]
-    pub format: RunFormat,
-    /// When to use colours: auto, always, never
-    #[arg(
-        long,
-        value_enum,
-        default_value_t,
-        value_name = "WHEN",
-        help_heading = OUTPUT
-    )]
-    #[arg(hide_possible_values = true)]
-    pub color: ColorChoice,
+    pub format: TextOrJson,
     /// Number of threads; default: one per core
     #[arg(long, value_name = "N", help_heading = OUTPUT)]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=256))]
@@ -150,16 +134,6 @@ pub enum Heat {
     Nan,
     /// The largest slope of the scene's distance along the ray
     Slope,
-}
-
-/// The values of `--format`.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
-pub enum RunFormat {
-    /// Text
-    #[default]
-    Human,
-    /// One JSON object
-    Json,
 }
 
 impl Heat {

@@ -3,6 +3,7 @@
 use super::args::RunArgs;
 use crate::cli::config::configs;
 use crate::cli::disk::Disk;
+use crate::cli::global::given;
 use crate::cli::port;
 use crate::commands::run::Loaded;
 use crate::diagnostic::Severity;
@@ -57,13 +58,13 @@ pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<LoadedFiles, 
     match read(path, args.host.as_deref(), &args.channel) {
         Ok(loaded) => Ok(loaded),
         Err(Undrawable::Errors(composed)) => {
-            if !print_errors(path, &name, args, format)? {
-                print_composed(&composed, args, format)?;
+            if !print_errors(path, &name, format)? {
+                print_composed(&composed, format)?;
             }
             Err(Trouble::Errors)
         }
         Err(Undrawable::Words(words)) => {
-            match path.is_file() && print_errors(path, &name, args, format)? {
+            match path.is_file() && print_errors(path, &name, format)? {
                 true => Err(Trouble::Errors),
                 false => Err(Trouble::Words(words)),
             }
@@ -104,7 +105,7 @@ pub fn read(
 }
 
 /// Prints the errors that the linter finds; returns whether there are any.
-fn print_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Result<bool, Trouble> {
+fn print_errors(path: &Path, name: &str, format: Format) -> Result<bool, Trouble> {
     // The error may be in another pass.
     if !path.is_file() {
         return Ok(false);
@@ -115,7 +116,7 @@ fn print_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Resu
     let mut report = check(name, &text, &options, &Disk::new());
     report.diagnostics.retain(|d| d.severity == Severity::Error);
     if !report.diagnostics.is_empty() {
-        let mut reporter = Reporter::new(format, io::stdout().lock(), args.color.is_on());
+        let mut reporter = Reporter::new(format, io::stdout().lock(), given().color.is_on());
         reporter.file(name, &report.sources, &report.diagnostics)?;
         reporter.finish()?;
     }
@@ -123,7 +124,7 @@ fn print_errors(path: &Path, name: &str, args: &RunArgs, format: Format) -> Resu
 }
 
 /// Prints the errors of the composed sources, including the code around the shader.
-fn print_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result<(), Trouble> {
+fn print_composed(composed: &Composed, format: Format) -> Result<(), Trouble> {
     let all = composed.units.iter().map(|unit| composed.analysis(unit));
     let found = all.flat_map(|checked| &checked.diagnostics);
     let mut errors: Vec<_> = found
@@ -131,7 +132,7 @@ fn print_composed(composed: &Composed, args: &RunArgs, format: Format) -> Result
         .cloned()
         .collect();
     errors.dedup();
-    let mut reporter = Reporter::new(format, io::stdout().lock(), args.color.is_on());
+    let mut reporter = Reporter::new(format, io::stdout().lock(), given().color.is_on());
     reporter.file("", &composed.sources, &errors)?;
     reporter.finish()?;
     Ok(())

@@ -11,7 +11,8 @@ pub(super) use args::{Heat, size_of, time_of};
 pub(super) use load::{LoadedFiles, Trouble, Undrawable, read};
 pub(super) use png::of_png;
 
-use super::command::{CLEAN, FAILED, FINDINGS};
+use super::command::{CLEAN, FAILED, FINDINGS, TextOrJson, complain};
+use super::global::given;
 use super::output::Overwrite;
 use super::port::save;
 use super::progress::Progress;
@@ -21,7 +22,6 @@ use crate::commands::run::{
 use crate::port::File;
 use crate::report::Format;
 use crate::text::path::slashed;
-use args::RunFormat;
 use load::load;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
@@ -36,7 +36,7 @@ pub fn run(args: &RunArgs) -> io::Result<u8> {
         }
         Err(Trouble::Errors) => Ok(FINDINGS),
         Err(Trouble::Words(words)) => {
-            let _ = writeln!(io::stderr(), "shaderlint: {words}");
+            complain(&words);
             Ok(FAILED)
         }
     }
@@ -45,8 +45,8 @@ pub fn run(args: &RunArgs) -> io::Result<u8> {
 /// Draws the shader. Returns the text to print and the exit code.
 fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     let format = match args.format {
-        RunFormat::Human => Format::Human,
-        RunFormat::Json => Format::Json,
+        TextOrJson::Human => Format::Human,
+        TextOrJson::Json => Format::Json,
     };
     refuse_other_images(args)?;
     let loaded = load(&args.file, args, format)?;
@@ -60,7 +60,7 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         let mut other_shot = shot(&other.shader, &args.setting(uniforms))?;
         return compared(args, [(&loaded, &mut own), (&other, &mut other_shot)]);
     }
-    if args.format == RunFormat::Human {
+    if args.format == TextOrJson::Human {
         for note in own.notes(&loaded.shader.project) {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
@@ -72,8 +72,8 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
         let (sheet, mut facts) = sheet::draw(&loaded.shader, &mut own, args, count)?;
         facts.output = write(args, &sheet, &loaded.read)?;
         let text = match args.format {
-            RunFormat::Human => show(args, &sheet, facts.output.as_deref()) + &facts.text(),
-            RunFormat::Json => facts.json(),
+            TextOrJson::Human => show(args, &sheet, facts.output.as_deref()) + &facts.text(),
+            TextOrJson::Json => facts.json(),
         };
         return Ok((text, CLEAN));
     }
@@ -97,8 +97,8 @@ fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
     made.facts.output.clone_from(&output);
     Ok((
         match args.format {
-            RunFormat::Human => show(args, &made.bitmap, output.as_deref()) + &made.facts.text(),
-            RunFormat::Json => made.facts.json(),
+            TextOrJson::Human => show(args, &made.bitmap, output.as_deref()) + &made.facts.text(),
+            TextOrJson::Json => made.facts.json(),
         },
         CLEAN,
     ))
@@ -117,8 +117,8 @@ fn traced(
     let facts = trace(&loaded.shader, shot, &moment, pixel, &mut report_frame)
         .map_err(|e| format!("--pixel: {e}"))?;
     let text = match args.format {
-        RunFormat::Human => facts.text(),
-        RunFormat::Json => facts.json(),
+        TextOrJson::Human => facts.text(),
+        TextOrJson::Json => facts.json(),
     };
     Ok((text, CLEAN))
 }
@@ -146,8 +146,8 @@ fn compared(args: &RunArgs, both: [(&LoadedFiles, &mut Shot); 2]) -> Result<(Str
     }
     let code = if facts.same { CLEAN } else { FINDINGS };
     let text = match args.format {
-        RunFormat::Human => facts.text(),
-        RunFormat::Json => facts.json(),
+        TextOrJson::Human => facts.text(),
+        TextOrJson::Json => facts.json(),
     };
     Ok((text, code))
 }
@@ -201,10 +201,10 @@ fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<Str
 
 /// The image as text for the terminal, if it was not written to a file.
 fn show(args: &RunArgs, bitmap: &Bitmap, written: Option<&str>) -> String {
-    if written.is_some() || args.format == RunFormat::Json {
+    if written.is_some() || args.format == TextOrJson::Json {
         return String::new();
     }
-    let is_colored = args.color.is_on();
+    let is_colored = given().color.is_on();
     if !io::stdout().is_terminal() && !is_colored {
         return String::new();
     }

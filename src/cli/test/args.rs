@@ -13,7 +13,7 @@ use std::path::PathBuf;
 #[command(after_help = AFTER)]
 pub struct TestArgs {
     /// Files or folders to test [default: the current folder]
-    #[arg(value_name = "PATH")]
+    #[arg(value_name = "PATH", default_value = ".", hide_default_value = true)]
     pub paths: Vec<PathBuf>,
     /// Run only tests whose name contains TEXT; image comparisons contain `golden`
     #[arg(long, value_name = "TEXT")]

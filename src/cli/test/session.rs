@@ -14,11 +14,10 @@ use super::junit::junit;
 use super::outcome::{Tally, TestRow};
 use super::shared::TestRun;
 use super::textures::Textures;
-use crate::engine::config::{ConfigArgs, ConfigSource, Configs, Exclusion, Selection};
+use crate::engine::config::{ConfigArgs, Configs};
 use crate::play::Coverage;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The results so far, by file, with the state of the files on which they depend.
@@ -35,17 +34,11 @@ struct Inputs {
 }
 
 fn inputs(args: &TestArgs) -> Inputs {
-    let paths = match args.paths.as_slice() {
-        [] => vec![PathBuf::from(".")],
-        paths => paths.to_vec(),
-    };
     let configs = configs(ConfigArgs {
-        given: Selection::default(),
-        source: ConfigSource::Nearest,
-        exclusion: Exclusion::Found,
-        paths: paths.clone(),
+        paths: args.paths.clone(),
+        ..ConfigArgs::default()
     });
-    let collected = collect(&paths, None, &configs);
+    let collected = collect(&args.paths, None, &configs);
     Inputs {
         files: with_neighbours(collected.inputs),
         problems: collected.problems,

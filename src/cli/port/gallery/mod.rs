@@ -13,6 +13,7 @@ use super::still::still;
 use crate::cli::command::{CLEAN, FINDINGS};
 use crate::cli::output::Overwrite;
 use crate::cli::progress::Progress;
+use crate::cli::usage::absent;
 use crate::cli::watch::{Stamp, wait};
 use crate::commands::run::position;
 use crate::diagnostic::Severity;
@@ -33,10 +34,8 @@ const PLAYER: [&str; 2] = ["player.js", "player.css"];
 /// Writes the gallery and returns the exit code; with `--watch` runs until the process is
 /// terminated.
 pub(super) fn run(args: &GalleryArgs) -> Result<u8, String> {
-    for input in &args.input {
-        if !input.exists() {
-            return Err(format!("{}: no such file or folder", slashed(input)));
-        }
+    if let Some(message) = absent(&args.input) {
+        return Err(message);
     }
     let index = args.output.join(format!("{INDEX}.html"));
     let overwrite = Overwrite::if_forced(args.force);
