@@ -1,8 +1,7 @@
 //! The arguments of requests that this adapter reads.
 
 use serde::Deserialize;
-use serde_json::Value;
-use shaderlint_engine::inputs::{Button, Moment, Mouse};
+use shaderlint_commands::run::{InputRequest, RunFront, RunRequest};
 use std::collections::BTreeMap;
 
 /// The arguments of `launch`.
@@ -15,26 +14,14 @@ pub struct Launch {
     pub text: Option<String>,
     /// The texts of the passes of a folder by file name, if they are not read from files.
     pub passes: BTreeMap<String, String>,
-    /// The pixel, from the lower left corner; the centre by default.
-    pub pixel: Option<[u32; 2]>,
-    /// Width and height of the image in pixels.
-    pub size: Option<[u32; 2]>,
-    /// Time in seconds.
-    pub time: Option<f64>,
-    /// Frame number.
-    pub frame: Option<u32>,
-    /// The pass; the image by default.
-    pub pass: Option<String>,
-    /// The mouse: its position, and whether the button is down.
-    pub mouse: Option<MousePosition>,
-    /// The host of the shader.
-    pub host: Option<String>,
-    /// The inputs of channels, as after `--channel`.
-    pub channels: Vec<String>,
-    /// Values of uniforms by name.
-    pub uniforms: Option<Value>,
     /// Whether to stop before the first statement.
     pub stop_on_entry: Option<bool>,
+    /// Who completes the shader.
+    #[serde(flatten)]
+    pub input: InputRequest,
+    /// The frame; the pixel is the centre by default.
+    #[serde(flatten)]
+    pub request: RunRequest,
 }
 
 /// The arguments of `restart` and `shaderlint/reload`: texts that have changed since `launch`.
@@ -46,52 +33,14 @@ pub struct Reload {
     pub channels: Option<Vec<String>>,
 }
 
-/// The mouse, in pixels from the lower left corner.
-#[derive(Clone, Copy, Deserialize)]
-pub struct MousePosition {
-    pub x: f64,
-    pub y: f64,
-    #[serde(default)]
-    pub down: bool,
-}
-
-/// Default size in pixels.
-const SIZE: [u32; 2] = [320, 180];
-/// Maximum number of pixels.
-const MAX_PIXELS: u64 = 1 << 24;
-
 impl Launch {
-    /// Width and height of the image.
-    ///
-    /// # Errors
-    /// A message about a size that cannot be drawn.
-    pub fn size(&self) -> Result<[u32; 2], String> {
-        let [width, height] = self.size.unwrap_or(SIZE);
-        match u64::from(width) * u64::from(height) {
-            1..=MAX_PIXELS => Ok([width, height]),
-            _ => Err(format!(
-                "`size` has at least 1 and at most {MAX_PIXELS} pixels"
-            )),
-        }
-    }
-
-    /// The frame.
-    pub fn moment(&self) -> Moment {
-        let mouse = self.mouse.map(|mouse| Mouse {
-            at: [mouse.x, mouse.y],
-            button: if mouse.down { Button::Down } else { Button::Up },
-        });
-        let time = self.time.filter(|time| time.is_finite() && *time >= 0.0);
-        Moment::given(time, self.frame, mouse)
-    }
-
     /// The pixel.
     ///
     /// # Errors
     /// A message about a pixel outside the image.
-    pub fn pixel(&self) -> Result<[u32; 2], String> {
-        let [width, height] = self.size()?;
-        let [x, y] = self.pixel.unwrap_or([width / 2, height / 2]);
+    pub fn pixel(&self, front: &RunFront<'_>) -> Result<[u32; 2], String> {
+        let [width, height] = self.request.size(front.size, front.max_pixels)?;
+        let [x, y] = self.request.pixel.unwrap_or([width / 2, height / 2]);
         match x < width && y < height {
             true => Ok([x, y]),
             false => Err(format!(

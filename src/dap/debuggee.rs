@@ -6,7 +6,7 @@ use super::places::{StackFrame, StopPlaces, frames};
 use super::scopes::VariableScopes;
 use super::value::{DebugValue, MOST};
 use shaderlint_commands::run::{
-    FrameDraw, Loaded, ObservedRays, ShotSetting, UniformText, Unmade, Variant, shot,
+    FrameDraw, Loaded, ObservedRays, RunFront, ShotSetting, Unmade, Variant, shot,
 };
 use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{CompileOptions, Location, Pause, Replay, Watch};
@@ -69,6 +69,17 @@ pub fn stepping() -> CompileOptions {
     }
 }
 
+/// What every run in the debugger has.
+pub fn front(programs: &dyn ProgramSource) -> RunFront<'static> {
+    RunFront {
+        size: [320, 180],
+        max_pixels: 1 << 24,
+        threads: programs.threads(),
+        decode: programs.decode(),
+        uniforms: None,
+    }
+}
+
 impl Debuggee {
     /// Prepares a frame of a loaded shader.
     ///
@@ -79,25 +90,19 @@ impl Debuggee {
         launch: &Launch,
         programs: &dyn ProgramSource,
     ) -> Result<Debuggee, String> {
-        let uniforms = launch.uniforms.as_ref().map(ToString::to_string);
-        let mut shot = shot(
-            &loaded,
-            &ShotSetting {
-                size: launch.size()?,
-                threads: programs.threads(),
-                pass: launch.pass.as_deref(),
-                show: None,
-                uniforms: uniforms.as_deref().map(|text| UniformText {
-                    name: "uniforms",
-                    text,
-                }),
-                watch: Watch::Nothing,
-                trace: false,
-                rays: ObservedRays::Nothing,
-                decode: programs.decode(),
-            },
-        )?;
-        let moment = launch.moment();
+        let uniforms = launch.request.uniforms();
+        let setting = launch
+            .request
+            .setting(&front(programs), uniforms.as_deref())?;
+        let setting = ShotSetting {
+            show: None,
+            watch: Watch::Nothing,
+            trace: false,
+            rays: ObservedRays::Nothing,
+            ..setting
+        };
+        let mut shot = shot(&loaded, &setting)?;
+        let moment = launch.request.moment();
         let inputs = shot.undrawn(&moment)?;
         let from = FrameDraw::of(&shot, &inputs, &moment);
         let build = Variant::of(&loaded, from, None, &stepping()).map_err(message)?;

@@ -50,7 +50,7 @@ impl ProgramSource for SentPrograms {
             passes: passes
                 .map(|(name, text)| (PathBuf::from(name), text.clone()))
                 .collect(),
-            channels: launch.channels.clone(),
+            input: launch.input.clone(),
         })
     }
 

@@ -2,8 +2,9 @@
 
 use crate::files::MemoryFiles;
 use serde::Deserialize;
-use shaderlint_commands::run::Loaded;
+use shaderlint_commands::run::{InputRequest, Loaded};
 use shaderlint_engine::Options;
+use shaderlint_host::host_named;
 use shaderlint_project::{
     Composed, NoFiles, NoMedia, OpenedProject, Project, add_stand_ins, open_file, open_passes,
 };
@@ -21,9 +22,9 @@ pub struct ShaderText {
     /// The passes of a project by file name, such as `buffer_a.glsl`, instead of a text.
     #[serde(default)]
     pub passes: BTreeMap<PathBuf, String>,
-    /// The inputs of channels, as after `--channel`: `buffer_a.0=keyboard`.
-    #[serde(default)]
-    pub channels: Vec<String>,
+    /// Who completes it, and the inputs of channels.
+    #[serde(flatten)]
+    pub input: InputRequest,
 }
 
 /// The passes of a shader, with stand-ins for media that only ShaderToy has.
@@ -31,7 +32,7 @@ pub fn load(shader: &ShaderText) -> Result<(Project, Composed), String> {
     let name = &shader.name;
     let wrong = |error: &dyn std::fmt::Display| format!("{name}: {error}");
     let mut draft = draft(shader)?;
-    draft.order(&shader.channels)?;
+    draft.order(&shader.input.channels)?;
     let mut project = draft.project;
     let composed = project.resolve(name).map_err(|e| wrong(&e))?;
     project.put_all(&draft.orders, &mut NoMedia)?;
@@ -57,13 +58,10 @@ pub fn valid(shader: &ShaderText) -> Result<Loaded, String> {
 /// Opens a shader, an export or passes, as the command line does.
 fn draft(shader: &ShaderText) -> Result<OpenedProject, String> {
     let options = Options::default();
+    let access = options.file_access(&NoFiles);
     if shader.passes.is_empty() {
-        return open_file(
-            &shader.name,
-            &shader.text,
-            None,
-            options.file_access(&NoFiles),
-        );
+        let host = shader.input.host.as_deref().map(host_named).transpose()?;
+        return open_file(&shader.name, &shader.text, host, access);
     }
     let files = MemoryFiles::new(&shader.passes);
     let passes: Vec<PathBuf> = shader.passes.keys().cloned().collect();

@@ -19,7 +19,7 @@ pub enum ModuleRequest {
     Format(FormatRequest),
     /// Draws a shader.
     #[cfg(feature = "port")]
-    Run(Box<super::run::RunRequest>),
+    Run(Box<super::run::RunParams>),
     /// Returns the page of a rule, compile error or host.
     Explain {
         /// Its name, or words that the page contains.

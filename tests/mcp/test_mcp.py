@@ -98,7 +98,8 @@ async def test_tools_are_described(tools):
         assert tool.input_schema["additionalProperties"] is False
         assert tool.annotations.read_only_hint == (tool.name in ("check", "run", "explain", "references"))
     heat = next(tool for tool in listed if tool.name == "run").input_schema["properties"]["heatmap"]
-    assert heat["enum"] == ["steps", "cost", "divergence", "nan", "slope"], heat
+    kinds = [kind["const"] for kind in heat["anyOf"][0]["oneOf"]]
+    assert kinds == ["steps", "cost", "divergence", "nan", "slope"], heat
 
 
 async def test_check_reports_position_rule_and_edit(tools):
@@ -183,7 +184,7 @@ async def test_unsafe_fixes_need_an_option(tools):
 
 async def test_run_returns_an_image_and_facts(tools):
     name = tools.write("a.glsl", ROOT)
-    text, pictures, failed = await tools.call("run", path=name, width=64, height=48, report=True)
+    text, pictures, failed = await tools.call("run", path=name, size=[64, 48], report=True)
     assert not failed, text
     assert size_of(pictures[0]) == (64, 48)
     assert "50.0 % NaN" in text and "sqrt(uv.y - 0.5)" in text, text
@@ -193,13 +194,13 @@ async def test_run_returns_an_image_and_facts(tools):
 async def test_run_accepts_options(tools):
     for options, expected in (
         ({}, (480, 270)),
-        ({"heatmap": "cost", "width": 32, "height": 16, "time": 2.5}, (32, 16)),
-        ({"show": "uv@2", "width": 32, "height": 16}, (32, 16)),
-        ({"mouse": "3,4,down", "frame": 3, "width": 8, "height": 8}, (8, 8)),
+        ({"heatmap": "cost", "size": [32, 16], "time": 2.5}, (32, 16)),
+        ({"show": {"name": "uv", "line": 2}, "size": [32, 16]}, (32, 16)),
+        ({"mouse": {"x": 3, "y": 4, "down": True}, "frame": 3, "size": [8, 8]}, (8, 8)),
     ):
         text, pictures, failed = await tools.call("run", code=ROOT, **options)
         assert not failed and size_of(pictures[0]) == expected, (options, text)
-    text, pictures, _ = await tools.call("run", code=PLAIN, sheet=4, width=64, height=36)
+    text, pictures, _ = await tools.call("run", code=PLAIN, sheet=4, size=[64, 36])
     assert size_of(pictures[0]) > (64, 36)
     assert text.count("operations per pixel") == 4 and "3 s, frame 180" in text, text
     code = "#version 300 es\nprecision highp float;\nuniform float level;\nout vec4 color;\n" \
@@ -246,8 +247,8 @@ async def test_answers_name_parameters_of_tools(tools):
 
 async def test_run_reports_errors(tools):
     assert "int-float-mix" in await tools.bad("run", code=BROKEN)
-    assert "the limit is 524288" in await tools.bad("run", code=PLAIN, width=4096, height=4096)
-    assert "d@42" in await tools.bad("run", code=PLAIN, show="nothing")
+    assert "at most 524288 pixels" in await tools.bad("run", code=PLAIN, size=[4096, 4096])
+    assert "no variable `nothing`" in await tools.bad("run", code=PLAIN, show={"name": "nothing", "line": 1})
 
 
 async def test_explain_returns_the_page_of_a_rule(tools):
@@ -281,7 +282,7 @@ async def test_port_reports_errors(tools):
 
 async def test_calls_run_concurrently(tools):
     calls = [tools.good("check", code=PLAIN) for _ in range(20)]
-    calls += [tools.good("run", code=PLAIN, width=16, height=16) for _ in range(5)]
+    calls += [tools.good("run", code=PLAIN, size=[16, 16]) for _ in range(5)]
     assert all(await asyncio.gather(*calls))
 
 

@@ -265,7 +265,7 @@ m.glsl: pixel 2,1 of 16x9, 0 s, frame 0
     assert_eq!(values, [0.0, 1.0, 2.0, 3.0, 3.5, 4.0, 4.5, 5.0]);
     let ran = scratch.run(&["run", "m.glsl", "--size", "16x9", "--pixel", "16,1"]);
     assert_eq!(ran.code, 2);
-    let message = "--pixel: the pixel 16,1 is outside the image of 16x9";
+    let message = "the pixel 16,1 is outside the image of 16x9";
     assert!(ran.err.contains(message), "{}", ran.err);
     let ran = scratch.run(&["run", "m.glsl", "--pixel", "16"]);
     assert!(

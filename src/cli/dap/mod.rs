@@ -95,7 +95,7 @@ struct DiskPrograms;
 impl ProgramSource for DiskPrograms {
     fn load(&self, launch: &Launch) -> Result<Loaded, String> {
         let path = Path::new(&launch.program);
-        match read(path, launch.host.as_deref(), &launch.channels) {
+        match read(path, launch.input.host.as_deref(), &launch.input.channels) {
             Ok(loaded) => Ok(loaded.shader),
             Err(Undrawable::Words(words)) => Err(words),
             Err(Undrawable::Errors(composed)) => Err(first_error(&composed)),

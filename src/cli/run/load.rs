@@ -55,7 +55,7 @@ pub struct LoadedFiles {
 /// Loads a shader. Its errors are printed as the linter prints them.
 pub fn load(path: &Path, args: &RunArgs, format: Format) -> Result<LoadedFiles, Trouble> {
     let name = slashed(path);
-    match read(path, args.host.as_deref(), &args.channel) {
+    match read(path, args.input.host.as_deref(), &args.input.channels) {
         Ok(loaded) => Ok(loaded),
         Err(Undrawable::Errors(composed)) => {
             if !print_errors(path, &name, format)? {

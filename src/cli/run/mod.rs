@@ -3,22 +3,18 @@
 mod args;
 mod load;
 mod png;
-mod sheet;
 mod terminal;
 
 pub use args::RunArgs;
-pub(super) use args::{Heat, size_of, time_of};
-pub(super) use load::{LoadedFiles, Trouble, Undrawable, read};
+pub(super) use load::{Trouble, Undrawable, read};
 pub(super) use png::of_png;
 
 use super::command::{CLEAN, FAILED, FINDINGS, TextOrJson, complain};
-use super::global::given;
+use super::global::{Talk, given};
 use super::output::Overwrite;
 use super::port::save;
 use super::progress::Progress;
-use crate::commands::run::{
-    Bitmap, Shot, UniformText, compare, compared_moments, frame, rays, shot, trace,
-};
+use crate::commands::run::{Bitmap, RunProgress, UniformText, answer};
 use crate::port::File;
 use crate::report::Format;
 use crate::text::path::slashed;
@@ -44,111 +40,50 @@ pub fn run(args: &RunArgs) -> io::Result<u8> {
 
 /// Draws the shader. Returns the text to print and the exit code.
 fn drawn(args: &RunArgs) -> Result<(String, u8), Trouble> {
+    let args = &args.clone().completed()?;
     let format = match args.format {
         TextOrJson::Human => Format::Human,
         TextOrJson::Json => Format::Json,
     };
     refuse_other_images(args)?;
     let loaded = load(&args.file, args, format)?;
+    let other = args.compare.as_ref();
+    let other = other.map(|path| load(path, args, format)).transpose()?;
     let uniforms = uniform_text(args)?;
-    let uniforms = uniforms
-        .as_ref()
-        .map(|(name, text)| UniformText { name, text });
-    let mut own = shot(&loaded.shader, &args.setting(uniforms))?;
-    if let Some(path) = &args.compare {
-        let other = load(path, args, format)?;
-        let mut other_shot = shot(&other.shader, &args.setting(uniforms))?;
-        return compared(args, [(&loaded, &mut own), (&other, &mut other_shot)]);
-    }
-    if args.format == TextOrJson::Human {
-        for note in own.notes(&loaded.shader.project) {
+    let uniforms = uniforms.as_ref();
+    let front = args.front(uniforms.map(|(name, text)| UniformText { name, text }));
+    let mut line = None;
+    let mut report = |at: RunProgress| {
+        let line = line.get_or_insert_with(|| Progress::new(at.images[1] as u32));
+        line.drew(at.images[0] as u32);
+        line.frame(at.frames[0], at.frames[1]);
+    };
+    let both = (&loaded.shader, other.as_ref().map(|other| &other.shader));
+    let made = answer(&args.request, both, &front, &mut report);
+    drop(line);
+    let mut made = made?;
+    if args.format == TextOrJson::Human && given().talk() >= Talk::Normal {
+        for note in &made.notes {
             let _ = writeln!(io::stderr(), "note: {note}");
         }
     }
-    if let Some(pixel) = args.pixel {
-        return traced(args, &loaded, &mut own, pixel);
+    let mut shown = String::new();
+    if let Some(image) = &made.image {
+        let read = loaded
+            .read
+            .iter()
+            .chain(other.iter().flat_map(|other| &other.read));
+        let written = write(args, image, read.cloned().collect())?;
+        if other.is_none() {
+            shown = show(args, image, written.as_deref());
+        }
+        made.facts.written(written);
     }
-    if let Some(count) = args.sheet {
-        let (sheet, mut facts) = sheet::draw(&loaded.shader, &mut own, args, count)?;
-        facts.output = write(args, &sheet, &loaded.read)?;
-        let text = match args.format {
-            TextOrJson::Human => show(args, &sheet, facts.output.as_deref()) + &facts.text(),
-            TextOrJson::Json => facts.json(),
-        };
-        return Ok((text, CLEAN));
-    }
-    let moment = args.moment();
-    let progress = Progress::new(1);
-    let mut report_frame = |number| progress.frame(number, moment.frame);
-    let made = frame(
-        &loaded.shader,
-        &mut own,
-        &moment,
-        args.view(),
-        &mut report_frame,
-    );
-    drop(progress);
-    let mut made = made?;
-    if args.report {
-        let setting = args.setting(uniforms);
-        made.facts.rays = rays(&loaded.shader, &own, &setting, &moment);
-    }
-    let output = write(args, &made.bitmap, &loaded.read)?;
-    made.facts.output.clone_from(&output);
-    Ok((
-        match args.format {
-            TextOrJson::Human => show(args, &made.bitmap, output.as_deref()) + &made.facts.text(),
-            TextOrJson::Json => made.facts.json(),
-        },
-        CLEAN,
-    ))
-}
-
-/// Traces a pixel. Returns the text to print and the exit code.
-fn traced(
-    args: &RunArgs,
-    loaded: &LoadedFiles,
-    shot: &mut Shot,
-    pixel: [u32; 2],
-) -> Result<(String, u8), Trouble> {
-    let moment = args.moment();
-    let progress = Progress::new(1);
-    let mut report_frame = |number| progress.frame(number, moment.frame);
-    let facts = trace(&loaded.shader, shot, &moment, pixel, &mut report_frame)
-        .map_err(|e| format!("--pixel: {e}"))?;
     let text = match args.format {
-        TextOrJson::Human => facts.text(),
-        TextOrJson::Json => facts.json(),
+        TextOrJson::Human => shown + &made.facts.text(),
+        TextOrJson::Json => made.facts.json(),
     };
-    Ok((text, CLEAN))
-}
-
-/// Compares two shaders. Returns the text to print and the exit code.
-fn compared(args: &RunArgs, both: [(&LoadedFiles, &mut Shot); 2]) -> Result<(String, u8), Trouble> {
-    let [(one, shot), (other, other_shot)] = both;
-    let names = [&one.shader.name, &other.shader.name].map(String::as_str);
-    let moments = match args.time.is_some() || args.frame.is_some() {
-        true => vec![args.moment()],
-        false => compared_moments(args.size, args.mouse),
-    };
-    let progress = Progress::new(moments.len() as u32);
-    let mut report = |number: usize, frame| {
-        progress.drew(number as u32);
-        let last = moments.get(number).map_or(0, |moment| moment.frame);
-        progress.frame(frame, last);
-    };
-    let made = compare([shot, other_shot], names, args.size, &moments, &mut report);
-    drop(progress);
-    let (mut facts, image) = made?;
-    let read: Vec<PathBuf> = one.read.iter().chain(&other.read).cloned().collect();
-    if let Some(image) = &image {
-        facts.output = write(args, image, &read)?;
-    }
-    let code = if facts.same { CLEAN } else { FINDINGS };
-    let text = match args.format {
-        TextOrJson::Human => facts.text(),
-        TextOrJson::Json => facts.json(),
-    };
+    let code = if made.facts.differ() { FINDINGS } else { CLEAN };
     Ok((text, code))
 }
 
@@ -176,7 +111,11 @@ fn refuse_other_images(args: &RunArgs) -> Result<(), Trouble> {
 }
 
 /// Writes the image if `-o` is given, and returns its name.
-fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<String>, Trouble> {
+fn write(
+    args: &RunArgs,
+    bitmap: &Bitmap,
+    mut read: Vec<PathBuf>,
+) -> Result<Option<String>, Trouble> {
     let Some(path) = &args.output else {
         return Ok(None);
     };
@@ -189,7 +128,6 @@ fn write(args: &RunArgs, bitmap: &Bitmap, read: &[PathBuf]) -> Result<Option<Str
         true => Overwrite::Allowed,
         false => Overwrite::Never,
     };
-    let mut read = read.to_vec();
     read.extend(args.uniforms.clone());
     let file = File {
         path: path.clone(),

@@ -1,8 +1,8 @@
 //! PNG files.
 
-use super::args::MAX_PIXELS;
 use crate::cli::image_file;
 use crate::commands::run::Bitmap;
+use crate::commands::run::MAX_PIXELS;
 use crate::play::Decoded;
 
 /// Decodes a PNG file and ignores its transparency.

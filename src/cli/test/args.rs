@@ -1,7 +1,7 @@
 //! The arguments of `shaderlint test`.
 
-use super::super::run::{size_of, time_of};
 use super::coverage::CoverageFormat;
+use crate::commands::run::{size_of, time_of};
 use clap::ValueEnum;
 use std::path::PathBuf;
 

@@ -3,12 +3,13 @@
 
 use super::super::image_file::decode;
 use super::super::output::{Overwrite, write};
-use super::super::run::{Undrawable, of_png, read, size_of, time_of};
+use super::super::run::{Undrawable, of_png, read};
 use super::args::TestArgs;
 use super::difference::difference;
 use super::outcome::{Status, TestRow};
 use crate::commands::run::heat::map;
 use crate::commands::run::{Bitmap, ObservedRays, Shot, ShotSetting, shot};
+use crate::commands::run::{size_of, time_of};
 use crate::engine::inputs::Moment;
 use crate::exec::Watch;
 use crate::play::RenderedImage;

@@ -155,12 +155,6 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
 }
 
 impl Compared {
-    /// The JSON object for programs.
-    pub fn json(&self) -> String {
-        let text = serde_json::to_string_pretty(self).unwrap_or_default();
-        format!("{text}\n")
-    }
-
     /// The text for people.
     pub fn text(&self) -> String {
         let [width, height] = self.size;

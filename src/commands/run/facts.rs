@@ -215,11 +215,6 @@ impl RunFacts {
         text.push_str(&written(self.output.as_deref()));
         text
     }
-
-    /// The JSON object for programs.
-    pub fn json(&self) -> String {
-        json(self)
-    }
 }
 
 impl SheetFacts {
@@ -228,11 +223,6 @@ impl SheetFacts {
         let frames: String = self.frames.iter().map(RunFacts::text).collect();
         frames + &written(self.output.as_deref())
     }
-
-    /// The JSON object for programs.
-    pub fn json(&self) -> String {
-        json(self)
-    }
 }
 
 /// The line that says which file was written, if one was.
@@ -240,11 +230,6 @@ fn written(output: Option<&str>) -> String {
     output.map_or(String::new(), |output| {
         format!("  {:9} {output}\n", "written")
     })
-}
-
-fn json(facts: &impl Serialize) -> String {
-    let text = serde_json::to_string_pretty(facts).unwrap_or_default();
-    format!("{text}\n")
 }
 
 /// Formats a number with three decimals.

@@ -1,11 +1,12 @@
 //! What is drawn, and how.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use shaderlint_exec::{RayProbe, Watch};
 use shaderlint_play::Decode;
 
 /// A variable on a source line.
-#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(schemars::JsonSchema), schemars(inline))]
 pub struct Show {
     /// Name of the variable.
     pub name: String,
@@ -14,7 +15,9 @@ pub struct Show {
 }
 
 /// What a heat map shows of each pixel.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum, schemars::JsonSchema))]
+#[cfg_attr(feature = "cli", schemars(inline))]
 #[serde(rename_all = "lowercase")]
 pub enum HeatMap {
     /// Loop iterations.
@@ -22,6 +25,7 @@ pub enum HeatMap {
     /// Operations.
     Cost,
     /// Percentage of the work of its 8x4 pixel group that the pixel only waits for.
+    #[cfg_attr(feature = "cli", value(alias = "overdraw"))]
     #[serde(alias = "overdraw")]
     Divergence,
     /// Values that are not finite.
@@ -83,4 +87,13 @@ pub struct FrameView<'a> {
     pub show: Option<&'a Show>,
     /// Whether loops, functions and invalid numbers are reported.
     pub report: bool,
+}
+
+/// How far a run is.
+#[derive(Clone, Copy)]
+pub struct RunProgress {
+    /// The number of images that are drawn, and of all.
+    pub images: [usize; 2],
+    /// The next frame of those on which the image depends, and the last one.
+    pub frames: [u32; 2],
 }

@@ -334,10 +334,4 @@ impl TraceFacts {
         }));
         columns(&cells, 5)
     }
-
-    /// The JSON object for programs.
-    pub fn json(&self) -> String {
-        let text = serde_json::to_string(self).unwrap_or_default();
-        format!("{text}\n")
-    }
 }

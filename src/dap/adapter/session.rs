@@ -128,7 +128,7 @@ impl DebugSession {
     pub fn show_pixel(&mut self, pixel: [u32; 2]) -> Result<(), String> {
         self.timelines = quad(pixel);
         self.focus = lane_of(pixel);
-        self.launch.pixel = Some(pixel);
+        self.launch.request.pixel = Some(pixel);
         self.moment = self.first()?;
         for breakpoint in &mut self.breakpoints {
             breakpoint.forget();

@@ -4,7 +4,7 @@ use super::reply::{DebugAnswer, Reply};
 use super::session::DebugSession;
 use super::{Adapter, read};
 use crate::arguments::{DebugArguments, Launch, Reload, SetBreakpoints};
-use crate::debuggee::Debuggee;
+use crate::debuggee::{Debuggee, front};
 use serde_json::{Value, json};
 
 /// The faults that a client can choose to stop at: filter, label, and whether it is on by default.
@@ -72,7 +72,7 @@ impl Adapter<'_> {
         if launch.program.is_empty() {
             return Err("`program` is missing: the shader, export or folder of passes".to_string());
         }
-        let pixel = launch.pixel()?;
+        let pixel = launch.pixel(&front(self.programs))?;
         let loaded = self.programs.load(&launch)?;
         let debuggee = Debuggee::start(loaded, &launch, self.programs)?;
         let mut session = DebugSession::of(debuggee, (launch, pixel), self.programs)?;
@@ -144,7 +144,8 @@ impl Adapter<'_> {
                 let mut launch = old.launch.clone();
                 launch.text = changed.text.or(launch.text);
                 launch.passes = changed.passes.unwrap_or(launch.passes);
-                launch.channels = changed.channels.unwrap_or(launch.channels);
+                let channels = launch.input.channels;
+                launch.input.channels = changed.channels.unwrap_or(channels);
                 launch
             }
         };
@@ -163,17 +164,18 @@ impl Adapter<'_> {
         let old = self.session.as_mut().ok_or("no program is running")?;
         let mark = old.mark();
         let mut launch = old.launch.clone();
-        launch.pixel = asked.pixel.or(launch.pixel);
+        let request = &mut launch.request;
+        request.pixel = asked.pixel.or(request.pixel);
         if asked.time.is_some() || asked.frame.is_some() {
-            (launch.time, launch.frame) = (asked.time, asked.frame);
+            (request.time, request.frame) = (asked.time, asked.frame);
         }
         if asked.pass.is_some() {
-            launch.pass.clone_from(&asked.pass);
+            request.pass.clone_from(&asked.pass);
         }
         let is_same_frame = asked.time.is_none() && asked.frame.is_none() && asked.pass.is_none();
         let event = match is_same_frame {
             true => {
-                old.show_pixel(launch.pixel()?)?;
+                old.show_pixel(launch.pixel(&front(self.programs))?)?;
                 old.go_to_mark(&mark);
                 old.stopped("goto", Some("at another pixel"))
             }

@@ -64,6 +64,8 @@ export interface ShaderOptions {
   name?: string;
   /** The passes of a ShaderToy project by file name, such as `buffer_a.glsl`, instead of the text. */
   passes?: Record<string, string>;
+  /** The site or library that the shader is written for; detected by default. */
+  host?: string;
   /** What channels read, as after `--channel`: `image.0=buffer_a`. */
   channels?: string[];
 }
@@ -89,13 +91,17 @@ export interface RunOptions extends ShaderOptions {
   /** Values of uniforms by name. */
   uniforms?: Record<string, unknown>;
   /** A heat map instead of the image. */
-  heatmap?: "steps" | "cost" | "divergence" | "nan";
+  heatmap?: "steps" | "cost" | "divergence" | "nan" | "slope";
   /** A variable on a line instead of the image. */
   show?: { name: string; line: number };
   /** Whether loops, functions and invalid numbers are reported. */
   report?: boolean;
   /** The pixel to trace, from the lower left corner. */
   pixel?: [number, number];
+  /** The number of frames of a contact sheet, from `time` on. */
+  sheet?: number;
+  /** Seconds between these frames; default: 1. */
+  every?: number;
   /** Another version of the shader, to compare with. */
   compare?: ShaderOptions & { name: string; text?: string };
 }

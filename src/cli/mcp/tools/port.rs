@@ -12,19 +12,6 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The options of the command that messages name, with their parameters.
-const PARAMETERS: [(&str, &str); 9] = [
-    ("--target", "target"),
-    ("--from", "from"),
-    ("--host", "from"),
-    ("--channel", "channels"),
-    ("--media", "media"),
-    ("--main", "main"),
-    ("--force", "force"),
-    ("--repair", "repair"),
-    ("--verify", "verify"),
-];
-
 /// The arguments of `port`.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -46,7 +33,8 @@ pub struct PortTool {
     force: bool,
     /// Site or library that the shader is written for, such as `shadertoy`, `glsl-sandbox` or
     /// `isf`; usually detected
-    from: Option<String>,
+    #[serde(alias = "from")]
+    host: Option<String>,
     /// Inputs of channels, such as `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`
     #[serde(default)]
     channels: Vec<String>,
@@ -81,7 +69,7 @@ impl Tool for PortTool {
         args.option("--output", Some(self.output.as_ref().unwrap_or(&inside)));
         args.0.extend(input.args());
         let mut done = program.run(args.0, input.text()).await?;
-        done.err = in_parameters(&done.err, &PARAMETERS);
+        done.err = in_parameters::<PortTool>(&done.err);
         let mut answer = match &self.output {
             _ if done.code == i32::from(FAILED) => return Err(done.message()),
             Some(output) if Path::new(output).exists() => {
@@ -103,7 +91,7 @@ impl PortTool {
         let mut args = Args::of(&["port"]);
         let plain = self.output.is_none().then_some("glsl");
         args.option("--target", self.target.as_deref().or(plain));
-        args.option("--from", self.from.as_ref());
+        args.option("--host", self.host.as_ref());
         args.options("--channel", &self.channels);
         args.option("--media", self.media.as_ref());
         args.option("--main", self.main.as_ref());

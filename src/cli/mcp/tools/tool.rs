@@ -64,19 +64,22 @@ impl Args {
     }
 }
 
-/// A message of a command in the words of a tool: options of the command line as `parameters`, pairs of both
-/// names. `--channel 0=FILE` becomes `0=FILE` in `channels`.
-pub fn in_parameters(message: &str, parameters: &[(&str, &str)]) -> String {
+/// A message of a command in the words of a tool: options of the command line as parameters of the same
+/// name. `--channel 0=FILE` becomes `0=FILE` in `channels`.
+pub fn in_parameters<T: JsonSchema>(message: &str) -> String {
+    let schema = schemars::schema_for!(T);
+    let known = |name: &String| schema.get("properties").and_then(|p| p.get(name)).is_some();
+    let parameter = |option: &str| {
+        let name = option.strip_prefix("--")?.replace('-', "_");
+        [format!("{name}s"), name].into_iter().find(known)
+    };
     let quoted = message.split('`').zip((0..).map(|n| n % 2 == 1));
     let parts = quoted.map(|(part, is_quoted)| {
         let (option, value) = part.split_once(' ').unwrap_or((part, ""));
-        let known = parameters
-            .iter()
-            .find(|(own, _)| is_quoted && *own == option);
-        match known {
+        match parameter(option).filter(|_| is_quoted) {
             None => part.to_string(),
-            Some((_, parameter)) if value.is_empty() => (*parameter).to_string(),
-            Some((_, parameter)) => format!("{value}` in `{parameter}"),
+            Some(parameter) if value.is_empty() => parameter,
+            Some(parameter) => format!("{value}` in `{parameter}"),
         }
     });
     parts.collect::<Vec<_>>().join("`")
@@ -95,12 +98,13 @@ mod tests {
 
     #[test]
     fn messages_name_the_parameters_of_the_tool() {
-        let reported = |message| {
-            in_parameters(
-                message,
-                &[("--repair", "repair"), ("--channel", "channels")],
-            )
-        };
+        #[derive(JsonSchema)]
+        #[expect(dead_code, reason = "only the schema is read")]
+        struct Parameters {
+            repair: bool,
+            channels: Vec<String>,
+        }
+        let reported = in_parameters::<Parameters>;
         assert_eq!(
             reported("`--repair` fixes 1 of these errors; `--diff` shows how"),
             "`repair` fixes 1 of these errors; `--diff` shows how"

@@ -1,10 +1,14 @@
 //! Contact sheets: frames of several times next to each other.
 
-use super::args::RunArgs;
-use crate::cli::progress::Progress;
-use crate::commands::run::{Bitmap, Loaded, SheetFacts, Shot, font, frame};
-use crate::engine::inputs::Moment;
-use crate::text::number::short;
+use super::bitmap::Bitmap;
+use super::facts::SheetFacts;
+use super::font;
+use super::frame::frame;
+use super::request::RunRequest;
+use super::setting::RunProgress;
+use super::shot::{Loaded, Shot};
+use shaderlint_engine::inputs::Moment;
+use shaderlint_text::number::short;
 
 /// Distance between two frames in pixels.
 const GAP: u32 = 4;
@@ -14,29 +18,34 @@ const TEXT: [u8; 3] = [220; 3];
 /// Draws a contact sheet of `count` frames. Each is drawn in full size and scaled down, because the
 /// shader may depend on the size of a pixel.
 pub fn draw(
-    loaded: &Loaded,
-    shot: &mut Shot,
-    args: &RunArgs,
+    request: &RunRequest,
+    (loaded, shot): (&Loaded, &mut Shot),
     count: u32,
+    progress: &mut dyn FnMut(RunProgress),
 ) -> Result<(Bitmap, SheetFacts), String> {
     let columns = columns(count);
-    let small = args.size.map(|side| (side / columns).max(1));
+    let small = shot.size().map(|side| (side / columns).max(1));
     let scale = (small[0] / 80).clamp(1, 4);
     let label = font::HEIGHT * scale + 2 * GAP;
     let rows = count.div_ceil(columns);
     let cell = [small[0] + GAP, small[1] + label];
     let size = [columns * cell[0] + GAP, rows * cell[1] + GAP];
     let mut sheet = Bitmap::filled(size, GROUND);
-    let first = args.moment();
-    let progress = Progress::new(count);
+    let first = request.moment();
+    let every = request.every.unwrap_or(1.0);
     let mut frames = Vec::new();
     for i in 0..count {
         let moment = Moment {
             mouse: first.mouse,
-            ..Moment::at(first.time + f64::from(i) * args.every)
+            ..Moment::at(first.time + f64::from(i) * every)
         };
-        let mut report = |number| progress.frame(number, moment.frame);
-        let made = frame(loaded, shot, &moment, args.view(), &mut report)?;
+        let mut report = |number| {
+            progress(RunProgress {
+                images: [i, count].map(|n| n as usize),
+                frames: [number, moment.frame],
+            });
+        };
+        let made = frame(loaded, shot, &moment, request.view(), &mut report)?;
         let [left, top] = [GAP + i % columns * cell[0], GAP + i / columns * cell[1]];
         sheet.paste(&made.bitmap.shrunk(small), left, top);
         frames.push(made.facts);
@@ -48,7 +57,6 @@ pub fn draw(
             scale,
             TEXT,
         );
-        progress.drew(i + 1);
     }
     let facts = SheetFacts {
         schema: 1,
