@@ -7,6 +7,7 @@ use crate::engine::config::Configs;
 use crate::text::Content;
 use crate::text::path::slashed;
 use ignore::WalkBuilder;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Read;
@@ -194,6 +195,18 @@ fn is_taken(path: &Path, configs: &Configs) -> bool {
         Ok(Some(config)) => config.takes(&absolute(path), is_known),
         Ok(None) | Err(_) => is_known,
     }
+}
+
+/// Two requests in a JSON file, as the MCP server writes them.
+pub fn requests<A, B>(path: &Path) -> Result<(A, B), String>
+where
+    A: DeserializeOwned,
+    B: DeserializeOwned,
+{
+    let text = fs::read_to_string(path).map_err(|e| e.to_string())?;
+    let first = serde_json::from_str(&text);
+    let both = first.and_then(|first| Ok((first, serde_json::from_str(&text)?)));
+    both.map_err(|e| e.to_string())
 }
 
 /// A path for messages: with forward slashes, and without a leading `./`.

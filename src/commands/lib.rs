@@ -3,10 +3,14 @@
 
 mod check;
 mod explain;
+#[cfg(feature = "cli")]
+mod port;
 mod reading;
 pub mod run;
 mod scope;
 
 pub use check::{CheckedText, FindingKey, check, print};
 pub use explain::{explain, rule_list, rule_page, rule_table};
+#[cfg(feature = "cli")]
+pub use port::PortRequest;
 pub use reading::{Recognition, reading};

@@ -161,6 +161,11 @@ impl fmt::Display for BadExtension {
 /// How plain shaders get their `main`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema)
+)]
+#[cfg_attr(feature = "cli", serde(rename_all = "lowercase"), schemars(inline))]
 pub enum MainChoice {
     /// Prepend the player's header and keep the code unchanged
     #[default]

@@ -7,6 +7,11 @@ use shaderlint_text::FileId;
 /// Which values in the code have sliders.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema)
+)]
+#[cfg_attr(feature = "cli", serde(rename_all = "lowercase"), schemars(inline))]
 pub enum SliderChoice {
     /// Those whose comment gives a range, and constants of type `bool`
     #[default]

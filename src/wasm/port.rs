@@ -5,24 +5,23 @@ use super::project::{ShaderText, load};
 use super::result::RequestResult;
 use serde::Deserialize;
 use serde_json::json;
+use shaderlint_commands::PortRequest;
 use shaderlint_diagnostic::Severity;
 use shaderlint_engine::config::{Selection, options};
 use shaderlint_engine::{Analysis, Report, analyze};
 use shaderlint_ide::{FrameCost, frame_cost};
-use shaderlint_port::naga::FirstRow;
-use shaderlint_port::{Destination, MainChoice, Order, Target};
+use shaderlint_port::{Destination, Target};
 use shaderlint_port::{build, player_data as data_of};
 use shaderlint_project::Composed;
 use shaderlint_semantic::{Dialect, Pass};
-use std::path::Path;
 
 /// A shader or export, and what it is ported to.
 #[derive(Deserialize)]
-pub struct PortRequest {
+pub struct PortParams {
     #[serde(flatten)]
     shader: ShaderText,
-    /// Path of the output; its extension selects the target.
-    output: String,
+    #[serde(flatten)]
+    request: PortRequest,
 }
 
 /// The number of errors in all passes.
@@ -33,19 +32,12 @@ fn errors(composed: &Composed) -> usize {
 }
 
 /// `port`: the files as text, errors and remarks. Binary files, as SPIR-V, have no text.
-pub fn port(PortRequest { shader, output }: &PortRequest) -> RequestResult {
-    let (project, composed) = load(shader)?;
-    let order = Order {
-        target: Target::of_path(Path::new(output)).map_err(|e| format!("{output}: {e}"))?,
-        main: MainChoice::default(),
-        output: Destination::File(Path::new(output)),
-        interface: false,
-        first_row: FirstRow::default(),
-        version: None,
-        poster: None,
-        split: false,
-        playground: None,
-    };
+pub fn port(PortParams { shader, request }: &PortParams) -> RequestResult {
+    let (project, mut composed) = load(shader)?;
+    composed.choose_sliders(request.sliders);
+    let output = request.output.as_deref().ok_or("`output` is missing")?;
+    let target = request.target(Target::Glsl)?;
+    let order = request.order(target, Destination::File(output));
     let made = build(&project, &composed, order);
     let made = made.map_err(|e| format!("{}: {e}", shader.name))?;
     let files = made.files.into_iter().map(|file| {

@@ -39,7 +39,7 @@ pub enum ModuleRequest {
     DebugIdle,
     /// Ports a shader.
     #[cfg(feature = "port")]
-    Port(super::port::PortRequest),
+    Port(super::port::PortParams),
     /// Returns the data of a shader for the page that plays it.
     #[cfg(feature = "port")]
     PlayerData(super::project::ShaderText),

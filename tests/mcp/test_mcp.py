@@ -272,7 +272,7 @@ async def test_port_writes_pages_without_overwriting(tools):
     assert "already exists" in await tools.bad("port", path=name, output="page.html")
     await tools.good("port", path=name, output="page.html", force=True)
     assert "pass `output` to write files" in await tools.bad("port", path=name, target="html")
-    assert "possible values" in await tools.bad("port", path=name, target="cobol")
+    assert "expected one of `html`" in await tools.bad("port", path=name, target="cobol")
 
 
 async def test_port_reports_errors(tools):

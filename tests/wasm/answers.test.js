@@ -152,12 +152,17 @@ for (const [name, address] of Object.entries(MODULES)) {
       assert.equal(traced.text, run("--pixel", "33,17"));
       assert.deepEqual(traced.facts, JSON.parse(run("--pixel", "33,17", "--format", "json")));
       assert.equal(traced.image, null);
+      const sheet = shaderlint.run(text, { ...options, sheet: 2 });
+      assert.equal(sheet.text, run("--sheet", "2"));
       const same = shaderlint.run(text, { ...options, compare: { name: "b.glsl", text: `//\n${text}` } });
       assert.equal(same.facts.same, true);
     }
     assert.throws(() => shaderlint.run("void main() {", {}), /shader\.glsl: the shader has errors/);
     const plain = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
     assert.throws(() => shaderlint.run(plain, { size: [1 << 20, 9] }), /at most 4194304 pixels/);
+    const [three] = shaderlint.port(plain, { output: "a.js", target: "three" }).files;
+    assert.match(three.text, /RawShaderMaterial/);
+    assert.throws(() => shaderlint.port(plain, { target: "cobol" }), /expected one of `html`, /);
   });
 
   test(`${name}: the debugger steps through a shader`, { skip: name !== "port" && "another module does" }, async () => {

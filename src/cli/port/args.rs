@@ -1,20 +1,19 @@
 //! Command-line arguments of `shaderport`.
 
 use super::read;
+use crate::cli::input::requests;
 use crate::cli::output::Overwrite;
-#[cfg(feature = "naga")]
-use crate::port::naga::FirstRow;
-use crate::port::{Destination, MainChoice, Order, PageAddress, Poster, Target};
-use crate::project::SliderChoice;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use std::path::{Path, PathBuf};
+use crate::commands::PortRequest;
+use crate::commands::run::InputRequest;
+use crate::port::{Destination, Order, PageAddress, Poster, Target};
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
 
 /// Ports ShaderToy shaders to WebGL2.
 ///
 /// Reads a shader file, a folder of passes or a ShaderToy export. Writes an HTML page, a JavaScript
 /// module, plain shaders or shaders for another host.
-#[derive(Parser, Default, Debug)]
+#[derive(Parser, Clone, Default, Debug)]
 #[command(name = "shaderport", version, max_term_width = 100)]
 #[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
 #[command(override_usage = "shaderport [OPTIONS] [INPUT]...\n       shaderport <COMMAND>")]
@@ -38,18 +37,9 @@ pub struct PortArgs {
     /// File of one pass: `image=a.glsl`, `buffer_a=b.glsl`
     #[arg(long, value_name = "PASS=FILE", help_heading = INPUT)]
     pub(super) pass: Vec<String>,
-    /// Site or library that the shader is written for: `shadertoy`, `glsl-sandbox`, `bonzomatic`
-    ///
-    /// Also accepts a file that describes a host. Default: the host in the configuration, or detected
-    /// from the code. An unknown name lists all hosts.
-    #[arg(long, value_name = "NAME", visible_alias = "from", help_heading = INPUT)]
-    pub(super) host: Option<String>,
-    /// Input of a channel: `0=keyboard`, `image.1=photo.jpg`, `buffer_a.0=buffer_a`
-    ///
-    /// The channel may be the name of a sampler: `u_tex0=photo.jpg`. Append the sampler settings:
-    /// `0=photo.jpg,nearest,clamp,noflip`.
-    #[arg(long, value_name = "[PASS.]N=SOURCE", help_heading = INPUT)]
-    pub(super) channel: Vec<String>,
+    /// Who completes the shader
+    #[command(flatten)]
+    pub(super) source: InputRequest,
     /// Folder with a copy of ShaderToy's media files, such as media/a/x.jpg, to embed in the output
     #[arg(long, value_name = "FOLDER", help_heading = INPUT)]
     pub(super) media: Option<PathBuf>,
@@ -67,19 +57,12 @@ pub struct PortArgs {
     #[arg(long, help_heading = INPUT)]
     pub(super) strict_player: bool,
 
-    /// Output file, or folder for several shaders; default: the first file, on standard output
-    #[arg(short, long, value_name = "PATH", help_heading = OUTPUT)]
-    pub(super) output: Option<PathBuf>,
-    /// Output format, or host that the shader is written for; default: chosen by the extension of the
-    /// output
-    #[arg(short, long, value_parser = targets(), value_name = "TARGET", help_heading = OUTPUT)]
-    pub(super) target: Option<Target>,
-    /// How plain shaders get a `main` function
-    #[arg(long, value_enum, default_value_t, value_name = "HOW", help_heading = OUTPUT)]
-    pub(super) main: MainChoice,
-    /// Values in the code that get sliders in pages and modules
-    #[arg(long, value_enum, default_value_t, value_name = "WHICH", help_heading = OUTPUT)]
-    pub(super) sliders: SliderChoice,
+    /// What the shader is ported to
+    #[command(flatten)]
+    pub(super) request: PortRequest,
+    /// JSON file with both, as the MCP server writes it
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub(super) asked: Option<PathBuf>,
     /// Overwrite existing files
     #[arg(long, help_heading = OUTPUT)]
     pub(super) force: bool,
@@ -91,35 +74,23 @@ pub struct PortArgs {
     /// With `--watch` the page reloads on each change and keeps its time, sliders and mouse. The
     /// default port is 4700.
     #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "4700")]
-    #[arg(require_equals = true, conflicts_with_all = ["diff", "output"], help_heading = OUTPUT)]
+    #[arg(require_equals = true, conflicts_with_all = ["diff", "output", "split"], help_heading = OUTPUT)]
     pub(super) serve: Option<u16>,
     /// Write a small page for frames of other pages: without a panel, and with a still image until the
     /// shader plays
     ///
     /// The image is drawn without a GPU.
-    #[arg(long, conflicts_with_all = ["diff", "serve"], help_heading = OUTPUT)]
+    #[arg(long, conflicts_with_all = ["diff", "serve", "playground"], help_heading = OUTPUT)]
     pub(super) embed: bool,
     /// Let the shader of the page wait for a click; nothing is compiled before that
     #[arg(long, requires = "embed", help_heading = OUTPUT)]
     pub(super) click: bool,
-    /// Write the script and the style of the page as files beside it
-    ///
-    /// For sites whose policy allows only files: `script-src 'self'`.
-    #[arg(long, conflicts_with_all = ["diff", "serve"], help_heading = OUTPUT)]
-    pub(super) split: bool,
     /// Address at which the page will be published: `https://example.org/water.html`
     ///
     /// Also writes the still image beside the page and names it in `og:image`, for link previews.
     #[arg(long, value_name = "ADDRESS", value_parser = PageAddress::read, requires_all = ["embed", "output"])]
     #[arg(help_heading = OUTPUT)]
     pub(super) url: Option<PageAddress>,
-    /// Address of the playground whose debugger the page offers: `https://example.org/playground/`
-    ///
-    /// A button opens it with the shader, at the time of the page and the pixel that was clicked last.
-    #[arg(long, value_name = "ADDRESS", value_parser = PageAddress::read_folder)]
-    #[arg(conflicts_with_all = ["diff", "embed"], help_heading = OUTPUT)]
-    pub(super) playground: Option<PageAddress>,
-
     /// Repair code that does not compile where only one fix is possible
     ///
     /// Repairs old GLSL, reserved and built-in names, global initialisers that are not constant, and
@@ -127,7 +98,7 @@ pub struct PortArgs {
     #[arg(long, help_heading = CHECKS)]
     pub(super) repair: bool,
     /// Show the repairs as a diff and write nothing
-    #[arg(long, help_heading = CHECKS)]
+    #[arg(long, help_heading = CHECKS, conflicts_with_all = ["split", "playground"])]
     pub(super) diff: bool,
     /// Verify for each pass that the output draws the same as the input
     ///
@@ -135,21 +106,10 @@ pub struct PortArgs {
     /// match bit for bit.
     #[arg(long, conflicts_with = "diff", help_heading = CHECKS)]
     pub(super) verify: bool,
-
-    /// Write the resource interface of each shader to FILE.json
-    ///
-    /// Lists the locations and bindings of uniforms, textures, attributes and varyings.
-    #[cfg(feature = "naga")]
-    #[arg(long, help_heading = TRANSLATION)]
-    pub(super) interface: bool,
-    /// Which row of the image is drawn first
-    #[cfg(feature = "naga")]
-    #[arg(long, value_enum, default_value_t, value_name = "ROW", help_heading = TRANSLATION)]
-    pub(super) first_row: FirstRow,
 }
 
 /// The commands of `shaderport`.
-#[derive(Subcommand, Debug)]
+#[derive(Subcommand, Clone, Debug)]
 pub(super) enum PortCommand {
     /// Write a page of many shaders: a still image of each that links to its page
     ///
@@ -158,7 +118,7 @@ pub(super) enum PortCommand {
 }
 
 /// The arguments of `shaderport gallery`.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 #[command(after_help = GALLERY_EXIT_CODES)]
 pub(super) struct GalleryArgs {
     /// Folders, files, ShaderToy exports (.json) and folders of passes
@@ -206,31 +166,21 @@ const PLAYGROUND: Option<&str> = match env!("CARGO_PKG_HOMEPAGE").is_empty() {
 const INPUT: &str = "Input";
 const OUTPUT: &str = "Output";
 const CHECKS: &str = "Repair and verification";
-#[cfg(feature = "naga")]
-const TRANSLATION: &str = "WGSL, SPIR-V, HLSL and MSL";
-
 const EXIT_CODES: &str = "\
 Exit codes:
   0  No errors
   1  The shader has errors, or --verify did not confirm the output
   2  Wrong usage, or a file cannot be read or written";
 
-/// Reads a target: an output format, or a host that shaders are written for.
-fn targets() -> impl TypedValueParser<Value = Target> {
-    let formats = Target::value_variants().iter();
-    let formats = formats.filter_map(|target| target.to_possible_value());
-    let hosts = Target::hosts()
-        .map(|host| PossibleValue::new(host.name).help(format!("Shader for {}", host.read_as())));
-    PossibleValuesParser::new(formats.chain(hosts)).map(|name| {
-        let host = || Target::hosts().find(|host| host.name == name);
-        let format = Target::from_str(&name, false).ok();
-        format
-            .or_else(|| host().map(Target::Host))
-            .unwrap_or(Target::Glsl)
-    })
-}
-
 impl PortArgs {
+    /// The arguments with the requests of a file, if one is named.
+    pub(super) fn completed(mut self) -> Result<PortArgs, String> {
+        if let Some(path) = &self.asked {
+            (self.source, self.request) = requests(path)?;
+        }
+        Ok(self)
+    }
+
     /// The build order that these arguments describe.
     pub(super) fn order<'a>(
         &'a self,
@@ -239,63 +189,54 @@ impl PortArgs {
         version: Option<&'a str>,
         poster: Option<&'a Poster>,
     ) -> Order<'a> {
+        let order = self.request.order(target, output);
         Order {
-            target,
-            main: self.main,
-            output,
             version,
             poster,
-            split: self.split,
-            playground: self
-                .playground
-                .as_ref()
-                .map_or(PLAYGROUND, |own| Some(own.text())),
-            #[cfg(feature = "naga")]
-            interface: self.interface,
-            #[cfg(feature = "naga")]
-            first_row: self.first_row,
+            playground: order.playground.or(PLAYGROUND),
+            ..order
         }
     }
 
     /// The output format: `--target`, or else chosen by the extension of the output.
     pub(super) fn target(&self) -> Result<Target, String> {
-        let path = self.output.as_deref().unwrap_or(Path::new(""));
-        let usual = match self.embed || self.split {
+        let request = &self.request;
+        let usual = match self.embed || request.split || self.serve.is_some() {
             true => Target::Html,
             false => Target::Glsl,
         };
-        let target = match (self.target, self.serve) {
-            (Some(target), _) => target,
-            (None, Some(_)) if self.output.is_none() => Target::Html,
+        let target = match request.target(usual) {
             // A folder may have an extension in its name.
-            (None, _) if path.is_dir() && usual == Target::Html => usual,
-            (None, _) if path.is_dir() => Target::of_path(path).unwrap_or(usual),
-            (None, _) if path.as_os_str().is_empty() || path.as_os_str() == "-" => usual,
-            (None, _) => {
-                Target::of_path(path).map_err(|e| format!("-o {}: {e}", path.display()))?
-            }
+            Ok(_) if self.is_folder() && usual == Target::Html => usual,
+            Err(_) if self.is_folder() => usual,
+            target => target?,
         };
         let page = [
             ("--embed", self.embed),
-            ("--split", self.split),
-            ("--playground", self.playground.is_some()),
+            ("--split", request.split),
+            ("--playground", request.playground.is_some()),
         ];
         match page.iter().find(|(_, is_given)| *is_given) {
             Some((option, _)) if target != Target::Html => Err(format!(
                 "`{option}` requires an HTML page; use `-o NAME.html`"
             )),
-            _ if self.split && !self.is_saved() => {
+            _ if request.split && !self.is_saved() => {
                 Err("`--split` requires `-o FILE`: further files are written beside it".to_string())
             }
             _ => Ok(target),
         }
     }
 
+    /// Whether an existing folder is written to, and no target is named.
+    fn is_folder(&self) -> bool {
+        let request = &self.request;
+        request.target.is_none() && request.output.as_ref().is_some_and(|path| path.is_dir())
+    }
+
     /// Whether the output goes to files and not to standard output.
     pub(super) fn is_saved(&self) -> bool {
-        self.output
-            .as_ref()
-            .is_some_and(|path| path.as_os_str() != "-")
+        let output = self.request.output.as_ref();
+        output.is_some_and(|path| path.as_os_str() != "-")
     }
 
     /// Whether existing files may be overwritten.

@@ -71,7 +71,7 @@ pub(super) fn build_output(args: &PortArgs, version: Option<&str>) -> Result<Mad
         return print(diff_of(&repairs).as_bytes()).map(|()| nothing(CLEAN));
     }
     let target = args.target()?;
-    let place = OutputPlace::of(args.output.as_deref(), target, &project.info.name);
+    let place = OutputPlace::of(args.request.output.as_deref(), target, &project.info.name);
     let poster = match args.embed {
         true => Some(poster(args, &project, &composed)?),
         false => None,

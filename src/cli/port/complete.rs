@@ -13,8 +13,8 @@ use std::path::PathBuf;
 /// The complete shaders that the arguments name; `None` if a target other than naga's is requested,
 /// or options require a project.
 pub(super) fn load(args: &PortArgs) -> Result<Option<CompleteShaders>, String> {
-    let is_asked = args.repair || args.diff || args.host.is_some();
-    let is_plain = args.pass.is_empty() && args.channel.is_empty() && !is_asked;
+    let is_asked = args.repair || args.diff || args.source.host.is_some();
+    let is_plain = args.pass.is_empty() && args.source.channels.is_empty() && !is_asked;
     // Only regular files can be read twice.
     let are_files = args.input.iter().all(|path: &PathBuf| path.is_file());
     if args.target()?.language().is_none() || !is_plain || !are_files {
@@ -39,7 +39,7 @@ pub(super) fn build_output(
 ) -> Result<(Vec<File>, u8), String> {
     let target = args.target()?;
     let name = all.shaders.first().map_or("", |s| &s.path);
-    let place = OutputPlace::of(args.output.as_deref(), target, name);
+    let place = OutputPlace::of(args.request.output.as_deref(), target, name);
     let order = args.order(target, place.output(), None, None);
     let made = translate_shaders(order, all).map_err(|e| e.to_string())?;
     let found = all.shaders.iter().flat_map(|s| &s.checked.diagnostics);

@@ -85,7 +85,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
     read.extend(args.input.iter().filter(|path| path.is_file()).cloned());
     read.extend(carried.paths().cloned());
     let mut composed = project.renew(composed, &name).map_err(wrong)?;
-    composed.choose_sliders(args.sliders);
+    composed.choose_sliders(args.request.sliders);
     Ok(LoadedProject {
         project,
         composed,
@@ -240,7 +240,7 @@ pub(super) fn name_of(args: &PortArgs) -> String {
 /// Opens what the arguments name.
 fn open(args: &PortArgs, configs: &Configs) -> Result<OpenedProject, String> {
     let disk = Disk::new();
-    let host = named_host(args.host.as_deref())?;
+    let host = named_host(args.source.host.as_deref())?;
     let mut draft = match &args.input[..] {
         [] if args.pass.is_empty() => return Err(USAGE.to_string()),
         [one] if args.pass.is_empty() && !one.is_dir() => {
@@ -253,7 +253,7 @@ fn open(args: &PortArgs, configs: &Configs) -> Result<OpenedProject, String> {
             open_passes(several, &named?, options.file_access(&disk))?
         }
     };
-    draft.order(&args.channel)?;
+    draft.order(&args.source.channels)?;
     Ok(draft)
 }
 

@@ -37,6 +37,7 @@ pub fn run(args: &PortArgs) -> u8 {
 }
 
 fn port(args: &PortArgs) -> Result<u8, String> {
+    let args = &args.clone().completed()?;
     if let Some(PortCommand::Gallery(args)) = &args.command {
         return gallery::run(args);
     }

@@ -2,8 +2,8 @@
 
 use crate::cli::command::TextOrJson;
 use crate::cli::image_file::decode;
+use crate::cli::input::requests;
 use crate::commands::run::{InputRequest, MAX_PIXELS, RunFront, RunRequest, UniformText};
-use std::fs;
 use std::path::PathBuf;
 
 /// Run a shader on the CPU and show its image and statistics.
@@ -65,10 +65,7 @@ impl RunArgs {
     /// The arguments with the request of a file, if one is named.
     pub fn completed(mut self) -> Result<RunArgs, String> {
         if let Some(path) = &self.asked {
-            let text = fs::read_to_string(path).map_err(|e| e.to_string())?;
-            let wrong = |e: serde_json::Error| e.to_string();
-            self.input = serde_json::from_str(&text).map_err(wrong)?;
-            self.request = serde_json::from_str(&text).map_err(wrong)?;
+            (self.input, self.request) = requests(path)?;
         }
         Ok(self)
     }

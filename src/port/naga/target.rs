@@ -30,7 +30,11 @@ pub(super) type Value = ::naga::Handle<::naga::Expression>;
 /// The first row of an image in memory.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(
+    feature = "cli",
+    derive(clap::ValueEnum, serde::Deserialize, schemars::JsonSchema)
+)]
+#[cfg_attr(feature = "cli", schemars(inline))]
 pub enum FirstRow {
     /// The top row, as in WebGPU, Vulkan, Direct3D and Metal: the image is flipped
     #[default]

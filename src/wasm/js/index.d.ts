@@ -70,6 +70,26 @@ export interface ShaderOptions {
   channels?: string[];
 }
 
+/** What a shader is ported to, as after `shaderport`. */
+export interface PortOptions extends ShaderOptions {
+  /** Path of the output; its extension selects the target. Default: `shader.html`. */
+  output?: string;
+  /** The output format, or the host that the shader is written for. */
+  target?: string;
+  /** How plain shaders get a `main` function. */
+  main?: "wrap" | "rewrite";
+  /** Which values in the code get sliders. */
+  sliders?: "marked" | "auto" | "none";
+  /** Whether the script and the style of a page are files beside it. */
+  split?: boolean;
+  /** Address of the playground whose debugger a page offers. */
+  playground?: string;
+  /** Whether the resource interface of each shader is written to a JSON file. */
+  interface?: boolean;
+  /** Which row of the image shaders in other languages draw first. */
+  firstRow?: "top" | "bottom";
+}
+
 /** A file that a shader was ported to; `text` is null for binary files. */
 export interface PortedFile {
   path: string;
@@ -158,7 +178,7 @@ export class Shaderlint {
   rules(): { schema: number; rules: Record<string, unknown>[] };
   port(
     text: string,
-    options?: ShaderOptions & { output?: string },
+    options?: PortOptions,
   ): { files: PortedFile[]; errors: number; remarks: string[] };
   run(text: string, options?: RunOptions): RunResult;
   debug(message: object): object[];

@@ -3,17 +3,19 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, ToolWrites, in_parameters, one_of};
+use super::tool::{Tool, ToolWrites, asked, in_parameters};
 use crate::cli::command::FAILED;
-use crate::port::{MainChoice, Target};
+use crate::commands::PortRequest;
+use crate::commands::run::InputRequest;
+use crate::port::Target;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The arguments of `port`.
-#[derive(Deserialize, JsonSchema)]
+/// The arguments of `port`. The answer contains the files without `output`; pages are too large for that.
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PortTool {
     /// Shader file, ShaderToy export (.json), or folder with files named after passes
@@ -21,29 +23,15 @@ pub struct PortTool {
     path: Option<String>,
     /// Text of a shader or an export, instead of `path`
     code: Option<String>,
-    /// Output format; default: chosen by the extension of `output`, or plain WebGL2 shaders
-    #[schemars(schema_with = "one_of::<Target>")]
-    #[serde(default)]
-    target: Option<String>,
-    /// File or folder to write; without it the answer contains the files, but pages are too large
-    /// for that
-    output: Option<String>,
+    #[serde(flatten)]
+    source: InputRequest,
+    #[serde(flatten)]
+    request: PortRequest,
     /// Overwrite existing files
     #[serde(default)]
     force: bool,
-    /// Site or library that the shader is written for, such as `shadertoy`, `glsl-sandbox` or
-    /// `isf`; usually detected
-    #[serde(alias = "from")]
-    host: Option<String>,
-    /// Inputs of channels, such as `0=keyboard`, `image.1=photo.jpg` or `buffer_a.0=buffer_a`
-    #[serde(default)]
-    channels: Vec<String>,
     /// Folder with a copy of ShaderToy's media files, such as media/a/x.jpg
     media: Option<String>,
-    /// How plain shaders get a `main` function
-    #[schemars(schema_with = "one_of::<MainChoice>")]
-    #[serde(default)]
-    main: Option<String>,
     /// Repair code that does not compile where only one fix is possible
     #[serde(default)]
     repair: bool,
@@ -59,21 +47,31 @@ impl Tool for PortTool {
         such as `page.html`), a JavaScript module, or plain shaders.";
     const WRITES: ToolWrites = ToolWrites::Files;
 
-    async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
+    async fn answer(mut self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
         let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
-        let made = folder.path().join("made");
-        let mut args = self.args();
         // The trailing separator makes it a folder.
-        let inside = format!("{}/", made.display());
-        args.option("--output", Some(self.output.as_ref().unwrap_or(&inside)));
+        let made = folder.path().join("made").join("");
+        let output = self.request.output.clone();
+        if output.is_none() {
+            self.request.output = Some(made.clone());
+            self.request
+                .target
+                .get_or_insert_with(|| "glsl".to_string());
+        }
+        self.request.target(Target::Glsl)?;
+        let mut args = asked(&self, "port", folder.path())?;
+        args.option("--media", self.media.as_ref());
+        args.switch("--force", self.force);
+        args.switch("--repair", self.repair);
+        args.switch("--verify", self.verify);
         args.0.extend(input.args());
         let mut done = program.run(args.0, input.text()).await?;
         done.err = in_parameters::<PortTool>(&done.err);
-        let mut answer = match &self.output {
+        let mut answer = match &output {
             _ if done.code == i32::from(FAILED) => return Err(done.message()),
-            Some(output) if Path::new(output).exists() => {
-                ToolAnswer::of(&format!("written: {output}"), "")
+            Some(output) if output.exists() => {
+                ToolAnswer::of(&format!("written: {}", output.display()), "")
             }
             Some(_) => return Err(done.message()),
             None => match files(&made).map_err(|e| e.to_string())? {
@@ -83,22 +81,6 @@ impl Tool for PortTool {
         };
         answer.push_any(&done.err);
         Ok(answer)
-    }
-}
-
-impl PortTool {
-    fn args(&self) -> Args {
-        let mut args = Args::of(&["port"]);
-        let plain = self.output.is_none().then_some("glsl");
-        args.option("--target", self.target.as_deref().or(plain));
-        args.option("--host", self.host.as_ref());
-        args.options("--channel", &self.channels);
-        args.option("--media", self.media.as_ref());
-        args.option("--main", self.main.as_ref());
-        args.switch("--force", self.force);
-        args.switch("--repair", self.repair);
-        args.switch("--verify", self.verify);
-        args
     }
 }
 

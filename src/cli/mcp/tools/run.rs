@@ -3,7 +3,7 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, ToolWrites, in_parameters};
+use super::tool::{Tool, ToolWrites, asked, in_parameters};
 use crate::cli::command::CLEAN;
 use crate::commands::run::{InputRequest, RunRequest};
 use schemars::JsonSchema;
@@ -40,12 +40,8 @@ impl Tool for RunTool {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
         let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
         let image = folder.path().join("picture.png");
-        let asked = folder.path().join("request.json");
         self.request.size = Some(self.request.size(SIZE, MAX_PIXELS)?);
-        let text = serde_json::to_vec(&self).map_err(|e| e.to_string())?;
-        fs::write(&asked, text).map_err(|e| e.to_string())?;
-        let mut args = Args::of(&["run"]);
-        args.option("--asked", Some(asked.to_string_lossy()));
+        let mut args = asked(&self, "run", folder.path())?;
         if self.request.pixel.is_none() {
             args.option("--output", Some(image.to_string_lossy()));
         }

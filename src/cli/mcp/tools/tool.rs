@@ -4,9 +4,12 @@ use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use clap::ValueEnum;
 use schemars::{JsonSchema, Schema, json_schema};
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::any::Any;
 use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
 
 /// A tool of the MCP server.
 pub trait Tool: DeserializeOwned + JsonSchema + Any {
@@ -30,6 +33,16 @@ pub enum ToolWrites {
     Nothing,
     /// Files that the arguments name, and existing files if asked to.
     Files,
+}
+
+/// The arguments of a command that reads the rest from a file, which is written to a folder.
+pub fn asked(tool: &impl Serialize, command: &str, folder: &Path) -> Result<Args, String> {
+    let path = folder.join("request.json");
+    let text = serde_json::to_vec(tool).map_err(|e| e.to_string())?;
+    fs::write(&path, text).map_err(|e| e.to_string())?;
+    let mut args = Args::of(&[command]);
+    args.option("--asked", Some(path.to_string_lossy()));
+    Ok(args)
 }
 
 /// The arguments of a command.

@@ -2,7 +2,6 @@
 
 use crate::cli::port::args::{GalleryArgs, PortArgs};
 use crate::cli::port::read::read_text;
-use crate::port::Target;
 use crate::project::exports_in;
 use std::path::{Path, PathBuf};
 
@@ -16,9 +15,12 @@ pub(in crate::cli::port) fn gallery_of(args: &PortArgs) -> Result<Option<Gallery
     }
     let of_one = [
         ("--pass", !args.pass.is_empty()),
-        ("--channel", !args.channel.is_empty()),
+        ("--channel", !args.source.channels.is_empty()),
         ("--media", args.media.is_some()),
-        ("--target", args.target.is_some_and(|t| t != Target::Html)),
+        (
+            "--target",
+            args.request.target.as_ref().is_some_and(|t| t != "html"),
+        ),
         ("--serve", args.serve.is_some()),
         ("--repair", args.repair),
         ("--diff", args.diff),
@@ -29,7 +31,7 @@ pub(in crate::cli::port) fn gallery_of(args: &PortArgs) -> Result<Option<Gallery
             "`{option}` requires one shader, but the input has several"
         ));
     }
-    let output = args.output.clone().filter(|path| is_folder(path));
+    let output = args.request.output.clone().filter(|path| is_folder(path));
     let output =
         output.ok_or("the input has several shaders; `-o FOLDER` writes a page for each")?;
     Ok(Some(GalleryArgs {
@@ -37,7 +39,7 @@ pub(in crate::cli::port) fn gallery_of(args: &PortArgs) -> Result<Option<Gallery
         output,
         title: None,
         url: args.url.clone(),
-        host: args.host.clone(),
+        host: args.source.host.clone(),
         click: args.click,
         watch: args.watch,
         force: args.force,

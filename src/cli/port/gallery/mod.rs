@@ -15,7 +15,7 @@ use crate::cli::output::Overwrite;
 use crate::cli::progress::Progress;
 use crate::cli::usage::absent;
 use crate::cli::watch::{Stamp, wait};
-use crate::commands::run::position;
+use crate::commands::run::{InputRequest, position};
 use crate::diagnostic::Severity;
 use crate::port::{File, Gallery, GalleryEntry, PageAddress, Poster, embed, gallery, still_file};
 use crate::project::Composed;
@@ -237,7 +237,10 @@ impl GalleryPage {
         } = load(&PortArgs {
             input: vec![source.path.clone()],
             text: source.text.clone(),
-            host: args.host.clone(),
+            source: InputRequest {
+                host: args.host.clone(),
+                ..InputRequest::default()
+            },
             max_media: MAX_MEDIA,
             ..PortArgs::default()
         })?;
