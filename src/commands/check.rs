@@ -2,14 +2,83 @@
 
 use super::reading::{Recognition, reading};
 use super::scope::scope_of;
+use serde::{Deserialize, Serialize};
 use shaderlint_diagnostic::{Diagnostic, Severity};
-use shaderlint_engine::{Offer, Options, Report, check_content};
-use shaderlint_lint::Settings;
+use shaderlint_engine::config::Selection;
+use shaderlint_engine::{DialectChoice, Offer, Options, Report, check_content};
+use shaderlint_host::Preset;
+use shaderlint_lint::{Infos, Settings};
 use shaderlint_project::Files;
-use shaderlint_report::{Reporter, Scope};
+use shaderlint_report::{Format, Reporter, Scope};
 use shaderlint_text::{Content, Encoding};
 use std::collections::HashSet;
 use std::io::{self, Write};
+
+/// How texts are checked: the same for the command line, MCP and WebAssembly.
+#[derive(Clone, Default, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::Args, schemars::JsonSchema))]
+#[cfg_attr(feature = "cli", command(next_help_heading = "Rules"))]
+#[serde(default, rename_all = "camelCase")]
+pub struct CheckRequest {
+    /// Site or library that the shaders are written for, such as `three`, or a file that describes one;
+    /// an unknown name lists all hosts
+    #[cfg_attr(
+        feature = "cli",
+        arg(long, value_name = "NAME", help_heading = "Files")
+    )]
+    #[cfg_attr(feature = "cli", arg(conflicts_with = "dialect"))]
+    pub host: Option<String>,
+    /// Dialect of the shaders: auto, shadertoy, webgl2, webgl1
+    #[cfg_attr(
+        feature = "cli",
+        arg(long, value_enum, default_value_t, value_name = "DIALECT")
+    )]
+    #[cfg_attr(
+        feature = "cli",
+        arg(hide_possible_values = true, help_heading = "Files")
+    )]
+    pub dialect: DialectChoice,
+    /// Enable these rules or groups; `all` enables every rule
+    #[cfg_attr(feature = "cli", arg(long, value_name = "RULE", value_delimiter = ','))]
+    pub select: Vec<String>,
+    /// Disable these rules or groups; the more specific of --select and --ignore wins
+    #[cfg_attr(feature = "cli", arg(long, value_name = "RULE", value_delimiter = ','))]
+    pub ignore: Vec<String>,
+    /// Report only these rules, groups or compile errors
+    #[cfg_attr(feature = "cli", arg(long, value_name = "RULE", value_delimiter = ','))]
+    #[cfg_attr(feature = "cli", arg(conflicts_with_all = ["select", "ignore"]))]
+    pub only: Vec<String>,
+    /// Also report infos; by default they are only counted
+    #[cfg_attr(feature = "cli", arg(long))]
+    pub info: bool,
+    /// Static analysis only: do not execute shaders
+    #[cfg_attr(feature = "cli", arg(long))]
+    pub no_run: bool,
+    /// Sample N pixels of each shader, however long it takes, instead of up to 4096
+    #[cfg_attr(
+        feature = "cli",
+        arg(long, value_name = "N", conflicts_with = "no_run")
+    )]
+    pub run_samples: Option<u32>,
+}
+
+impl CheckRequest {
+    /// The options of a run with this output; `host` is the one that is named.
+    pub fn selection(&self, host: Option<&'static Preset>, format: Format) -> Selection {
+        Selection {
+            dialect: self.dialect,
+            host,
+            select: self.select.clone(),
+            ignore: self.ignore.clone(),
+            only: self.only.clone(),
+            run_samples: self.run_samples.or(self.no_run.then_some(0)),
+            infos: match self.info || format.shows_infos() {
+                true => Infos::Shown,
+                false => Infos::Counted,
+            },
+        }
+    }
+}
 
 /// A text that was checked.
 pub struct CheckedText {

@@ -9,7 +9,7 @@ mod reading;
 pub mod run;
 mod scope;
 
-pub use check::{CheckedText, FindingKey, check, print};
+pub use check::{CheckRequest, CheckedText, FindingKey, check, print};
 pub use explain::{explain, rule_list, rule_page, rule_table};
 #[cfg(feature = "cli")]
 pub use port::PortRequest;

@@ -31,15 +31,19 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// The formats.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug, serde::Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
 pub enum Format {
     /// With excerpts of the source, for people.
+    #[default]
     Human,
     /// One line per finding.
     Short,
     /// One line per finding, with its fix, labels and notes.
     Agent,
     /// The same for the answers of tools, which have parameters instead of options.
+    #[cfg_attr(feature = "cli", value(hide = true))]
     Tool,
     /// One JSON object.
     Json,
@@ -56,7 +60,15 @@ pub enum Format {
     /// Checkstyle XML.
     Checkstyle,
     /// The number of findings of each rule.
+    #[cfg_attr(feature = "cli", value(skip))]
     Statistics,
+}
+
+impl Format {
+    /// Whether infos are shown that nobody asked for: programs choose for themselves what they show.
+    pub fn shows_infos(self) -> bool {
+        matches!(self, Format::Json | Format::Jsonl | Format::Statistics)
+    }
 }
 
 /// Maximum number of findings printed for one input.

@@ -1,20 +1,18 @@
 //! Answers requests.
 
 use super::files::MemoryFiles;
-use super::requests::{
-    CheckRequest, FixRequest, FormatRequest, ModuleRequest, OutputFormat, TextInput,
-};
+use super::requests::{CheckParams, FixRequest, FormatRequest, ModuleRequest, TextInput};
 use super::result::RequestResult;
 use super::server::InstantServer;
 use serde_json::{Value, json};
 use shaderlint_commands::{Recognition, explain, print, rule_list, rule_page};
 use shaderlint_detect::kind::Claim;
-use shaderlint_engine::config::{Selection, options};
+use shaderlint_engine::config::options;
 use shaderlint_engine::{Options, fix_text, format};
 use shaderlint_format::{Indentation, StyleChoice};
 use shaderlint_host::host_named;
-use shaderlint_lint::{Allow, Infos};
-use shaderlint_report::Reporter;
+use shaderlint_lint::Allow;
+use shaderlint_report::{Format, Reporter};
 use shaderlint_text::{Content, LineIndex, apply_edits};
 use std::collections::{BTreeSet, HashSet};
 use std::io;
@@ -65,15 +63,9 @@ impl Instance {
 }
 
 /// The options of a check, and the files that it may read.
-fn settings(input: &TextInput, infos: Infos) -> Result<(Options, MemoryFiles), String> {
-    let selection = Selection {
-        host: input.host.as_deref().map(host_named).transpose()?,
-        select: input.select.clone(),
-        ignore: input.ignore.clone(),
-        run_samples: input.run_samples,
-        infos,
-        ..Selection::default()
-    };
+fn settings(input: &TextInput, format: Format) -> Result<(Options, MemoryFiles), String> {
+    let host = input.request.host.as_deref().map(host_named).transpose()?;
+    let selection = input.request.selection(host, format);
     let options = options(None, &[], &selection);
     let mut options = options.map_err(|e| format!("unknown rule or group `{}`", e.name))?;
     options.checked = Arc::new(BTreeSet::from([input.name.clone()]));
@@ -81,20 +73,17 @@ fn settings(input: &TextInput, infos: Infos) -> Result<(Options, MemoryFiles), S
 }
 
 /// `check`: the output in the requested format, and the number of findings by severity.
-fn check(request: CheckRequest) -> RequestResult {
-    let CheckRequest { input, format } = request;
-    let infos = match input.info {
-        true => Infos::Shown,
-        false => format.infos(),
-    };
-    let (options, files) = settings(&input, infos)?;
+fn check(CheckParams { input, format }: CheckParams) -> RequestResult {
+    let (options, files) = settings(&input, format)?;
     let content = Content::utf8(&input.text);
     let mut output = Vec::new();
     let mut reporter = reporter(format, &mut output);
-    let recognition = reporter.shows_readings().then_some(match input.host {
-        Some(_) => Recognition::Never,
-        None => Recognition::WhereComposed,
-    });
+    let recognition = reporter
+        .shows_readings()
+        .then_some(match input.request.host {
+            Some(_) => Recognition::Never,
+            None => Recognition::WhereComposed,
+        });
     let given = (&*input.name, &content);
     let checked = shaderlint_commands::check(given, (&options, &files), &[], recognition);
     if let Some(unread) = &checked.report.unread {
@@ -120,15 +109,15 @@ fn check(request: CheckRequest) -> RequestResult {
 }
 
 /// The reporter as the command line sets it up.
-fn reporter<W: io::Write>(format: OutputFormat, out: W) -> Reporter<W> {
-    let reporter = Reporter::new(format.format(), out, false);
+fn reporter<W: io::Write>(format: Format, out: W) -> Reporter<W> {
+    let reporter = Reporter::new(format, out, false);
     reporter.with_pages(rule_page).summing_up()
 }
 
 /// `fix`: the fixed text, and the number of fixed findings.
 fn fix(request: FixRequest) -> RequestResult {
     let FixRequest { input, is_unsafe } = request;
-    let (options, files) = settings(&input, Infos::Shown)?;
+    let (options, files) = settings(&input, Format::Json)?;
     let allow = match is_unsafe {
         true => Allow::Unsafe,
         false => Allow::Safe,

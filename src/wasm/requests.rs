@@ -2,7 +2,7 @@
 
 use lsp_server::Message;
 use serde::Deserialize;
-use shaderlint_lint::Infos;
+use shaderlint_commands::CheckRequest;
 use shaderlint_report::Format;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[serde(tag = "method", content = "params", rename_all = "camelCase")]
 pub enum ModuleRequest {
     /// Checks a text.
-    Check(CheckRequest),
+    Check(CheckParams),
     /// Applies fixes to a text.
     Fix(FixRequest),
     /// Formats a text.
@@ -59,71 +59,25 @@ pub struct TextInput {
     /// Other files, by path, for includes.
     #[serde(default)]
     pub files: BTreeMap<PathBuf, String>,
-    /// `--host`
-    pub host: Option<String>,
-    /// `--select`
-    #[serde(default)]
-    pub select: Vec<String>,
-    /// `--ignore`
-    #[serde(default)]
-    pub ignore: Vec<String>,
-    /// `--run-samples`
-    pub run_samples: Option<u32>,
-    /// `--info`
-    #[serde(default)]
-    pub info: bool,
+    /// How it is checked.
+    #[serde(flatten)]
+    pub request: CheckRequest,
 }
 
 /// The request `check`.
 #[derive(Deserialize)]
-pub struct CheckRequest {
+pub struct CheckParams {
     /// The text.
     #[serde(flatten)]
     pub input: TextInput,
     /// The output format.
-    #[serde(default)]
-    pub format: OutputFormat,
+    #[serde(default = "json")]
+    pub format: Format,
 }
 
-/// The output formats, named as on the command line.
-#[derive(Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum OutputFormat {
-    /// With excerpts of the source, for people.
-    Human,
-    /// One line per finding.
-    Short,
-    /// One line per finding, with its fix, labels and notes.
-    Agent,
-    /// One JSON object.
-    #[default]
-    Json,
-    /// One JSON object per line, one line per finding.
-    Jsonl,
-    /// SARIF 2.1.0.
-    Sarif,
-}
-
-impl OutputFormat {
-    /// The format of the reporter.
-    pub fn format(self) -> Format {
-        match self {
-            OutputFormat::Human => Format::Human,
-            OutputFormat::Short => Format::Short,
-            OutputFormat::Agent => Format::Agent,
-            OutputFormat::Json => Format::Json,
-            OutputFormat::Jsonl => Format::Jsonl,
-            OutputFormat::Sarif => Format::Sarif,
-        }
-    }
-
-    /// Whether infos are reported that nobody asked for: programs choose for themselves what they show.
-    pub fn infos(self) -> Infos {
-        match self {
-            OutputFormat::Json | OutputFormat::Jsonl => Infos::Shown,
-            _ => Infos::Counted,
-        }
-    }
+/// What programs read.
+fn json() -> Format {
+    Format::Json
 }
 
 /// The request `fix`.

@@ -241,6 +241,7 @@ async def test_format_writes_on_request(tools):
 async def test_answers_name_parameters_of_tools(tools):
     text = await tools.good("check", code="void mainImage(out vec4 c, in vec2 p) { float x = p; c = vec4(x); }")
     assert "the parameter `unsafe_fixes` of the tool `fix`" in text and "--" not in text, text
+    assert "bonzomatic" in await tools.bad("check", code=PLAIN, host="bonzomatik")
     for text in ("(((((", "def f(x):\n    return x\n", '{"a": 1}'):
         await tools.bad("check", code=text)
 

@@ -160,6 +160,7 @@ for (const [name, address] of Object.entries(MODULES)) {
     assert.throws(() => shaderlint.run("void main() {", {}), /shader\.glsl: the shader has errors/);
     const plain = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
     assert.throws(() => shaderlint.run(plain, { size: [1 << 20, 9] }), /at most 4194304 pixels/);
+    assert.deepEqual(shaderlint.check(plain, { only: ["int-float-mix"] }).diagnostics, []);
     const [three] = shaderlint.port(plain, { output: "a.js", target: "three" }).files;
     assert.match(three.text, /RawShaderMaterial/);
     assert.throws(() => shaderlint.port(plain, { target: "cobol" }), /expected one of `html`, /);

@@ -3,13 +3,14 @@
 use super::super::command::TextOrJson;
 use super::super::global::GlobalArgs;
 use crate::cli::config::host_of;
-use crate::engine::DialectChoice;
-use crate::engine::config::{ConfigArgs, Exclusion, Selection};
+use crate::cli::input::requests;
+use crate::commands::CheckRequest;
+use crate::engine::config::{ConfigArgs, Exclusion};
 use crate::host::Preset;
-use crate::lint::Infos;
 use crate::report::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use serde::de::IgnoredAny;
 #[cfg(feature = "mcp")]
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -36,50 +37,28 @@ pub struct LintArgs {
 }
 
 /// The arguments of a check.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
     /// Files or folders to check, or `-` for standard input [default: the current folder]
     #[arg(value_name = "PATH", default_value = ".", hide_default_value = true)]
     pub paths: Vec<PathBuf>,
 
-    /// Site or library that the shaders are written for, such as `three`, or a file that describes one;
-    /// an unknown name lists all hosts
-    #[arg(long, value_name = "NAME", value_parser = host_of, help_heading = "Files")]
-    #[arg(conflicts_with = "dialect")]
+    /// How they are checked
+    #[command(flatten)]
+    pub request: CheckRequest,
+    /// JSON file with the same, as the MCP server writes it
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub asked: Option<PathBuf>,
+    /// The host that is named
+    #[arg(skip)]
     pub host: Option<&'static Preset>,
-    /// Dialect of the shaders: auto, shadertoy, webgl2, webgl1
-    #[arg(long, value_enum, default_value_t, value_name = "DIALECT")]
-    #[arg(help_heading = "Files", hide_possible_values = true)]
-    pub dialect: DialectChoice,
+
     /// Apply the `exclude` setting to files named on the command line too
     #[arg(long, help_heading = "Files")]
     pub force_exclude: bool,
     /// File name to use for standard input; its extension selects the kind of file
     #[arg(long, value_name = "NAME", help_heading = "Files")]
     pub stdin_filename: Option<String>,
-
-    /// Enable these rules or groups; `all` enables every rule
-    #[arg(long, value_name = "RULE", value_delimiter = ',')]
-    #[arg(help_heading = "Rules")]
-    pub select: Vec<String>,
-    /// Disable these rules or groups; the more specific of --select and --ignore wins
-    #[arg(long, value_name = "RULE", value_delimiter = ',')]
-    #[arg(help_heading = "Rules")]
-    pub ignore: Vec<String>,
-    /// Report only these rules, groups or compile errors
-    #[arg(long, value_name = "RULE", value_delimiter = ',')]
-    #[arg(help_heading = "Rules", conflicts_with_all = ["select", "ignore"])]
-    pub only: Vec<String>,
-    /// Also report infos; by default they are only counted
-    #[arg(long, help_heading = "Rules")]
-    pub info: bool,
-    /// Static analysis only: do not execute shaders
-    #[arg(long, help_heading = "Rules")]
-    pub no_run: bool,
-    /// Sample N pixels of each shader, however long it takes, instead of up to 4096
-    #[arg(long, value_name = "N", conflicts_with = "no_run")]
-    #[arg(help_heading = "Rules")]
-    pub run_samples: Option<u32>,
 
     /// Apply safe fixes, which do not change the image
     #[arg(long, help_heading = "Fixes")]
@@ -94,7 +73,7 @@ pub struct CheckArgs {
     /// Output format: human, short, agent, json, jsonl, sarif, github, gitlab, junit, checkstyle
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     #[arg(help_heading = "Output", hide_possible_values = true)]
-    pub format: FormatChoice,
+    pub format: Format,
     /// Print the number of findings of each rule instead of the findings
     #[arg(long, conflicts_with = "diff", help_heading = "Output")]
     pub statistics: bool,
@@ -219,78 +198,29 @@ pub enum ProgramName {
     Shaderport,
 }
 
-/// The values of `--format`.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, ValueEnum)]
-pub enum FormatChoice {
-    /// Findings with source excerpts
-    #[default]
-    Human,
-    /// One line per finding
-    Short,
-    /// One line per finding, including its fix, labels and notes
-    Agent,
-    /// The same for the answers of `shaderlint mcp`
-    #[value(hide = true)]
-    Tool,
-    /// One JSON object
-    Json,
-    /// One JSON object per line
-    Jsonl,
-    /// SARIF 2.1.0
-    Sarif,
-    /// GitHub Actions annotations
-    Github,
-    /// GitLab code quality report
-    Gitlab,
-    /// JUnit XML
-    Junit,
-    /// Checkstyle XML
-    Checkstyle,
-}
-
 impl CheckArgs {
     /// The output format; `--statistics` overrides `--format`.
     pub fn format(&self) -> Format {
-        match self.format {
-            _ if self.statistics => Format::Statistics,
-            FormatChoice::Human => Format::Human,
-            FormatChoice::Short => Format::Short,
-            FormatChoice::Agent => Format::Agent,
-            FormatChoice::Tool => Format::Tool,
-            FormatChoice::Json => Format::Json,
-            FormatChoice::Jsonl => Format::Jsonl,
-            FormatChoice::Sarif => Format::Sarif,
-            FormatChoice::Github => Format::Github,
-            FormatChoice::Gitlab => Format::Gitlab,
-            FormatChoice::Junit => Format::Junit,
-            FormatChoice::Checkstyle => Format::Checkstyle,
+        match self.statistics {
+            true => Format::Statistics,
+            false => self.format,
         }
     }
 
-    /// Whether infos are reported that nobody asked for: programs choose for themselves what they show.
-    fn shows_infos(&self) -> bool {
-        self.info
-            || matches!(
-                self.format(),
-                Format::Json | Format::Jsonl | Format::Statistics
-            )
+    /// The arguments with the request of a file, if one is named, and with the host.
+    pub fn completed(mut self) -> Result<CheckArgs, String> {
+        if let Some(path) = &self.asked {
+            (self.request, _) = requests::<_, IgnoredAny>(path)?;
+        }
+        let host = self.request.host.as_deref().map(host_of).transpose();
+        self.host = host.map_err(|e| format!("--host: {e}"))?;
+        Ok(self)
     }
 
     /// The options that concern configuration files.
     pub fn asked(&self) -> ConfigArgs {
         ConfigArgs {
-            given: Selection {
-                dialect: self.dialect,
-                host: self.host,
-                select: self.select.clone(),
-                ignore: self.ignore.clone(),
-                only: self.only.clone(),
-                run_samples: self.run_samples.or(self.no_run.then_some(0)),
-                infos: match self.shows_infos() {
-                    true => Infos::Shown,
-                    false => Infos::Counted,
-                },
-            },
+            given: self.request.selection(self.host, self.format()),
             exclusion: if self.force_exclude {
                 Exclusion::Named
             } else {

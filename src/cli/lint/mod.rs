@@ -15,12 +15,17 @@ mod watch;
 
 pub use args::{CheckArgs, Command, LintArgs, ProgramName};
 
+use super::command::{FAILED, complain};
 use std::io;
 
 /// Checks what the arguments name, and gives the exit code.
 pub fn run(args: &CheckArgs) -> io::Result<u8> {
-    match args.watch {
-        true => watch::run(args),
-        false => check::check(args),
+    match &args.clone().completed() {
+        Ok(args) if args.watch => watch::run(args),
+        Ok(args) => check::check(args),
+        Err(message) => {
+            complain(message);
+            Ok(FAILED)
+        }
     }
 }

@@ -6,15 +6,25 @@ export interface InputOptions {
   files?: Record<string, string>;
   /** The site or library that completes the shader, as `--host`. */
   host?: string;
+  /** The dialect, if it cannot be detected. */
+  dialect?: "auto" | "shadertoy" | "webgl2" | "webgl1";
   /** Rules and groups to enable. */
   select?: string[];
   /** Rules and groups to disable. */
   ignore?: string[];
+  /** The only rules, groups and compile errors to report. */
+  only?: string[];
+  /** Static analysis only, as `runSamples: 0`. */
+  noRun?: boolean;
   /** Number of pixels to sample per shader; 0 for static analysis only. */
   runSamples?: number;
   /** Whether formats for people show infos too. */
   info?: boolean;
 }
+
+/** What a check prints, as after `--format`. */
+export type OutputFormat =
+  | "human" | "short" | "agent" | "json" | "jsonl" | "sarif" | "github" | "gitlab" | "junit" | "checkstyle";
 
 /** A position: `line` and `column` start at 1, in characters; `utf16` counts UTF-16 units, `byte` bytes from 0. */
 export interface Position {
@@ -167,7 +177,7 @@ export class Shaderlint {
   check(text: string, options?: InputOptions): Report;
   report(
     text: string,
-    options?: InputOptions & { format?: "human" | "short" | "agent" | "json" | "jsonl" | "sarif" },
+    options?: InputOptions & { format?: OutputFormat },
   ): { output: string; errors: number; warnings: number; infos: number };
   fix(text: string, options?: InputOptions & { unsafe?: boolean }): { text: string; fixed: number };
   format(

@@ -3,14 +3,14 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, ToolWrites, one_of};
+use super::tool::{Tool, ToolWrites, asked};
 use crate::cli::command::FAILED;
-use crate::engine::DialectChoice;
+use crate::commands::CheckRequest;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The arguments of `check`.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CheckTool {
     /// File or folder to check: GLSL, ShaderToy exports, web pages and scripts that contain shaders
@@ -19,16 +19,8 @@ pub struct CheckTool {
     code: Option<String>,
     /// File name of `code`; its extension selects the kind of file: `a.frag`, `b.vert`, `page.html`
     name: Option<String>,
-    /// Dialect of the shader, if it cannot be detected
-    #[schemars(schema_with = "one_of::<DialectChoice>")]
-    #[serde(default)]
-    dialect: Option<String>,
-    /// Report only these rules, groups and compile errors
-    #[serde(default)]
-    only: Vec<String>,
-    /// Also report infos; by default they are only counted
-    #[serde(default)]
-    info: bool,
+    #[serde(flatten)]
+    request: CheckRequest,
 }
 
 impl Tool for CheckTool {
@@ -41,13 +33,10 @@ impl Tool for CheckTool {
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
-        let mut args = Args::of(&["--format=tool"]);
-        args.option("--stdin-filename", self.name);
-        args.option("--dialect", self.dialect);
-        args.options("--only", &self.only);
-        if self.info {
-            args.0.push("--info".into());
-        }
+        let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
+        let mut args = asked(&self, "check", folder.path())?;
+        args.option("--format", Some("tool"));
+        args.option("--stdin-filename", self.name.as_ref());
         args.0.extend(input.args());
         let done = program.run(args.0, input.text()).await?;
         if done.code == i32::from(FAILED) && done.out.is_empty() {

@@ -2,8 +2,7 @@
 
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
-use clap::ValueEnum;
-use schemars::{JsonSchema, Schema, json_schema};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::any::Any;
@@ -68,13 +67,6 @@ impl Args {
             self.0.push(format!("{option}={}", value.as_ref()).into());
         }
     }
-
-    /// Adds an option once for each value.
-    pub fn options<T: AsRef<str>>(&mut self, option: &str, values: &[T]) {
-        values
-            .iter()
-            .for_each(|value| self.option(option, Some(value)));
-    }
 }
 
 /// A message of a command in the words of a tool: options of the command line as parameters of the same
@@ -96,13 +88,6 @@ pub fn in_parameters<T: JsonSchema>(message: &str) -> String {
         }
     });
     parts.collect::<Vec<_>>().join("`")
-}
-
-/// The schema of a string with the values that a command-line option accepts.
-pub fn one_of<T: ValueEnum>(_: &mut schemars::SchemaGenerator) -> Schema {
-    let values = T::value_variants().iter();
-    let names = values.filter_map(|v| Some(v.to_possible_value()?.get_name().to_string()));
-    json_schema!({ "type": "string", "enum": names.collect::<Vec<_>>() })
 }
 
 #[cfg(test)]
