@@ -154,7 +154,20 @@ fn global_options_are_accepted_before_and_after_every_command() {
 #[test]
 fn global_options_before_a_command_have_an_effect() {
     let shader = "void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(iTime);\n}\n";
-    let scratch = Scratch::new(&[("a.glsl", shader), ("wide.toml", "[format]\nindent = 8\n")]);
+    let scratch = Scratch::new(&[
+        ("a.glsl", shader),
+        ("wide.toml", "[format]\nindent = 8\n"),
+        ("kodi.toml", "host = \"kodi\"\n"),
+        (
+            "k.glsl",
+            include_str!("../fixtures/dialects/kodi/bars.glsl"),
+        ),
+    ]);
+    let bars = ["run", "k.glsl", "--size", "4x4"];
+    let by_name = scratch.run(&[&bars[..], &["--host", "kodi"]].concat());
+    let by_config = scratch.run(&[&["--config", "kodi.toml"], &bars[..]].concat());
+    assert_eq!((by_config.code, &by_config.out), (0, &by_name.out));
+    assert_ne!(by_config.out, scratch.run(&bars).out);
     let wide = scratch.run(&["--config", "wide.toml", "fmt", "--diff", "a.glsl"]);
     assert!(wide.out.contains("\n+        c = "), "{}", wide.out);
     let quiet = scratch.run(&["-q", "fmt", "--check", "a.glsl"]);
