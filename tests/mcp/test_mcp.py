@@ -169,6 +169,8 @@ async def test_fix_of_a_text_returns_the_text(tools):
     assert not failed and text.startswith(MENDED), text
     assert "undeclared-name" in text, "the remaining diagnostics follow the text"
     assert "no fixes available" in await tools.good("fix", code=PLAIN)
+    other = await tools.good("fix", code=BROKEN, only=["sqrt-negative"])
+    assert "no fixes available" in other, other
     assert "only files" in await tools.bad("fix", code=BROKEN, write=True)
     long = BROKEN + "// something\n" * 3000
     assert "save it" in await tools.bad("fix", code=long)

@@ -3,13 +3,14 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::{CommandOutcome, OwnProgram};
 use super::super::input::ToolInput;
-use super::tool::{Args, Tool, ToolWrites};
+use super::tool::{Tool, ToolWrites, asked};
 use crate::cli::command::FAILED;
+use crate::commands::CheckRequest;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The arguments of `fix`.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FixTool {
     /// File or folder to fix
@@ -18,6 +19,8 @@ pub struct FixTool {
     code: Option<String>,
     /// File name of `code`; its extension selects the kind of file
     name: Option<String>,
+    #[serde(flatten)]
+    request: CheckRequest,
     /// Also apply unsafe fixes, which may change the image
     #[serde(default)]
     unsafe_fixes: bool,
@@ -35,8 +38,10 @@ impl Tool for FixTool {
 
     async fn answer(self, program: &OwnProgram) -> Result<ToolAnswer, String> {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
-        let mut args = Args::of(&["--format=tool"]);
-        args.option("--stdin-filename", self.name);
+        let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
+        let mut args = asked(&self, "check", folder.path())?;
+        args.option("--format", Some("tool"));
+        args.option("--stdin-filename", self.name.as_ref());
         args.switch("--unsafe-fixes", self.unsafe_fixes);
         match (input, self.write) {
             (ToolInput::Code(_), true) => {
