@@ -117,7 +117,9 @@ fn describe(shader: &Shader, report: &Report) -> String {
         }
     };
     // For a file that is one shader, `recognised` already names the host.
-    let host = shader.host.filter(|_| report.holds_shaders());
+    let host = shader
+        .host
+        .filter(|_| report.holds_shaders() || report.file.is_none());
     let host = host.map_or(String::new(), |h| format!("{}: ", h.read_as()));
     format!("{host}{kind}{part}{skipped}{}", completed(shader))
 }

@@ -138,7 +138,7 @@ fn read_to(file: &mut File) -> io::Result<Vec<u8>> {
 }
 
 /// Decompresses XML, as KodeLife stores it; `None` if it is not compressed.
-fn inflate(bytes: &[u8]) -> Option<Result<Vec<u8>, String>> {
+pub(in crate::cli) fn inflate(bytes: &[u8]) -> Option<Result<Vec<u8>, String>> {
     let [0x78, second, ..] = bytes else {
         return None;
     };
@@ -165,10 +165,7 @@ fn inflate(bytes: &[u8]) -> Option<Result<Vec<u8>, String>> {
 
 /// Decodes a text and removes a byte order mark.
 fn decode(bytes: Vec<u8>) -> Result<String, String> {
-    let bytes = match inflate(&bytes) {
-        Some(text) => text?,
-        None => bytes,
-    };
+    let bytes = inflate(&bytes).unwrap_or(Ok(bytes))?;
     if let Some(text) = Content::utf16(&bytes) {
         return Ok(text);
     }

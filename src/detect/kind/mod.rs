@@ -25,7 +25,7 @@ use std::fmt;
 pub enum FileKind {
     /// GLSL ES.
     Shader,
-    /// JSON, which may be a ShaderToy export.
+    /// JSON, which may be a ShaderToy export, or a project of KodeLife.
     Export,
     /// A document that may contain shaders.
     Holds(DocumentLanguage),
@@ -84,7 +84,7 @@ enum Extension {
     Shared,
     /// A shader stage that WebGL does not have.
     Stage,
-    Export,
+    Export(&'static str),
     Holds(DocumentLanguage),
     Foreign(ShaderLanguage),
     /// Another language.
@@ -107,7 +107,8 @@ fn extension_of(name: &str) -> Extension {
     match extension.as_str() {
         "glsl" | "frag" | "vert" | "fsh" | "vsh" | "glslf" | "glslv" => Extension::Shader,
         "fs" | "vs" => Extension::Shared,
-        "json" | "shadertoy" => Extension::Export,
+        "json" | "shadertoy" => Extension::Export("JSON"),
+        "klproj" => Extension::Export("a project of KodeLife"),
         "comp" | "geom" | "tesc" | "tese" | "rgen" | "rint" | "rahit" | "rchit" | "rmiss"
         | "rcall" | "mesh" | "task" => Extension::Stage,
         "hlsl" | "hlsli" | "fxh" | "cginc" | "cg" | "usf" | "ush" => {
@@ -160,8 +161,8 @@ pub fn decide(name: &str, text: &str, claim: Claim) -> Decision {
             let reason = format!("may contain shaders: the extension indicates {language}");
             return Decision::new(FileKind::Holds(language), reason);
         }
-        Extension::Export => {
-            return Decision::new(FileKind::Export, "the extension indicates JSON");
+        Extension::Export(what) => {
+            return Decision::new(FileKind::Export, format!("the extension indicates {what}"));
         }
         Extension::Foreign(language) => {
             let reason = format!("the extension indicates {language}");
@@ -233,7 +234,7 @@ pub fn reason(evidence: &Evidence, language: ShaderLanguage) -> String {
 pub fn is_searched(name: &str) -> bool {
     let is_known = matches!(
         extension_of(name),
-        Extension::Shader | Extension::Shared | Extension::Export | Extension::Holds(_)
+        Extension::Shader | Extension::Shared | Extension::Export(_) | Extension::Holds(_)
     );
     is_known && !is_packed(name) && !is_declarations(name)
 }

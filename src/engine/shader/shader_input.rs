@@ -44,14 +44,18 @@ impl ShaderInput {
         }
     }
 
-    /// A pass of an export.
-    pub fn of_pass(unit: PassUnit) -> ShaderInput {
+    /// A pass of an export, or of a project that its host composes.
+    pub fn of_pass(unit: PassUnit, host: Option<&'static Preset>) -> ShaderInput {
         let reading = Reading {
             files: unit.files,
             stage: Stage::Fragment,
-            dialect: Dialect::ShaderToy(unit.kind),
+            dialect: match host {
+                Some(_) => Dialect::WebGl,
+                None => Dialect::ShaderToy(unit.kind),
+            },
         };
         ShaderInput {
+            host,
             mipmapped: unit.mipmapped,
             ..ShaderInput::new(Readings::of_complete(reading))
         }

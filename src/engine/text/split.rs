@@ -54,14 +54,17 @@ pub fn split(
             return Err(Unread::Skipped(decision));
         }
         FileKind::Export => {
-            let project = Project::from_json(text).map_err(|e| no_project(e, text))?;
+            let project = match text.trim_start().starts_with('<') {
+                true => Project::draft("", text, None).map_err(|_| Unread::Skipped(decision))?,
+                false => Project::from_json(text).map_err(|e| no_project(e, text))?,
+            };
             let composed = compose(&project, name).ok_or(Unread::TooLarge)?;
             input.export = Some(ExportText::of(text, &project, &composed));
             input.sources = composed.sources;
             input.parts = composed
                 .units
                 .into_iter()
-                .map(ShaderInput::of_pass)
+                .map(|unit| ShaderInput::of_pass(unit, project.host))
                 .collect();
             return Ok(input);
         }

@@ -85,8 +85,13 @@ fn read(host: &'static Preset, root: Node, plan: &mut Plan) {
         if is_on && kind != "RENDER" {
             let note = format!("pass `{name}` is not drawn: its type is `{kind}`");
             plan.notes.push(note);
-        } else if is_on && let Some(code) = source(root, pass, &name, plan) {
-            drawn.push(KodeLifePass { pass, name, code });
+        } else if is_on && let Some((stage, code)) = source(root, pass, &name, plan) {
+            drawn.push(KodeLifePass {
+                pass,
+                stage,
+                name,
+                code,
+            });
         }
     }
     let count = drawn.len();
@@ -99,9 +104,7 @@ fn read(host: &'static Preset, root: Node, plan: &mut Plan) {
             inputs: Vec::new(),
             plan: &mut *plan,
         };
-        let stages = child(own.pass, "stages").into_iter();
-        let stages = stages.flat_map(|s| children(s, "stage"));
-        for holder in document.into_iter().chain([own.pass]).chain(stages) {
+        for holder in document.into_iter().chain([own.pass, own.stage]) {
             reader.parameters(holder);
         }
         let (macros, inputs) = (reader.macros, reader.inputs);
@@ -128,18 +131,20 @@ fn read(host: &'static Preset, root: Node, plan: &mut Plan) {
 /// A pass that is drawn.
 struct KodeLifePass<'d> {
     pass: Node<'d, 'd>,
+    /// Its fragment stage; the other stages are not run.
+    stage: Node<'d, 'd>,
     name: String,
     /// The text of its fragment shader.
     code: &'d str,
 }
 
-/// The GLSL of the fragment stage of a pass.
+/// The fragment stage of a pass, and its GLSL.
 fn source<'d>(
     root: Node<'d, 'd>,
     pass: Node<'d, 'd>,
     name: &str,
     plan: &mut Plan,
-) -> Option<&'d str> {
+) -> Option<(Node<'d, 'd>, &'d str)> {
     let stages = child(pass, "stages")?;
     let stage = children(stages, "stage").find(|s| s.attribute("type") == Some("FRAGMENT"));
     let shader = stage.and_then(|s| child(s, "shader"));
@@ -151,7 +156,7 @@ fn source<'d>(
     let api = root.attribute("a").unwrap_or("");
     // Only the source of the API in use is edited; the others keep their template.
     if let Some(code) = of(api).filter(|_| PROFILES.contains(&api)) {
-        return Some(code);
+        return Some((stage?, code));
     }
     let found = PROFILES.iter().find_map(|p| Some((*p, of(p)?)));
     match found {
@@ -160,7 +165,7 @@ fn source<'d>(
         )),
         None => plan.notes.push(format!("pass `{name}` is not drawn: it has no GLSL")),
     }
-    found.map(|(_, code)| code)
+    Some((stage?, found?.1))
 }
 
 /// The text of an element.
@@ -221,7 +226,7 @@ impl ParameterReader<'_> {
             "CONSTANT_FLOAT2" => self.control(name, 2, parameter),
             "CONSTANT_FLOAT3" => self.control(name, 3, parameter),
             "CONSTANT_FLOAT4" => self.control(name, 4, parameter),
-            // The matrices of the vertex shader, which is not run.
+            // Matrices are those of a vertex shader that changes nothing.
             _ if kind.starts_with("TRANSFORM_") => {}
             _ => self.note(format!(
                 "`{name}` has no value: parameters of type `{kind}` are not supported"

@@ -86,12 +86,15 @@ impl Project {
             return Ok(Project::of_pass(title, pass));
         };
         let is_known = host.is_some() || !recognised.signs.is_empty();
-        let is_body = clues.is_body && is_known;
+        let mut entries = recognised.host.entries.iter();
+        let is_called = clues.is_body || entries.any(|entry| clues.declares(entry));
+        let is_body = is_called && is_known;
         if !clues.is_shader() && !is_body && !plan.is_description {
             return Err(ShaderError::NoEntry);
         }
         let draws_vertices = plan.draws.iter().any(|d| d.has_vertices);
-        if first_guess.stage == Some(Stage::Vertex) && !draws_vertices {
+        let is_vertex = first_guess.stage == Some(Stage::Vertex) && !plan.is_description;
+        if is_vertex && !draws_vertices {
             return Err(ShaderError::Vertex);
         }
         let mut project = Project::of_plan(title, recognised.host, plan, &own.pieces)?;
