@@ -322,6 +322,7 @@ impl<'a> Evidence<'a> {
             L::TouchDesigner,
             L::Obs,
             L::ReShade,
+            L::MilkDrop,
         ];
         if let Some(engine) = engines.into_iter().find(|t| self.is_of_engine(*t)) {
             return Some(engine);

@@ -33,6 +33,8 @@ pub enum ShaderLanguage {
     Mpv,
     /// The GLSL of TouchDesigner, which has inputs and functions of its own.
     TouchDesigner,
+    /// Presets of MilkDrop, with shaders in HLSL.
+    MilkDrop,
     /// C, C++ and similar languages.
     C,
     /// Rust.
@@ -71,6 +73,7 @@ impl ShaderLanguage {
             ShaderLanguage::Obs => "an OBS effect",
             ShaderLanguage::Mpv => "a user shader of mpv",
             ShaderLanguage::TouchDesigner => "a TouchDesigner shader",
+            ShaderLanguage::MilkDrop => "a MilkDrop preset",
             _ => "not a shader for WebGL",
         }
     }
@@ -93,6 +96,7 @@ impl fmt::Display for ShaderLanguage {
             ShaderLanguage::Obs => "effects of OBS",
             ShaderLanguage::Mpv => "user shaders of mpv",
             ShaderLanguage::TouchDesigner => "TouchDesigner's GLSL",
+            ShaderLanguage::MilkDrop => "presets of MilkDrop",
             ShaderLanguage::C => "C or a similar language",
             ShaderLanguage::Rust => "Rust",
             ShaderLanguage::FSharp => "F#",

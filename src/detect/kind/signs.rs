@@ -69,6 +69,7 @@ pub const SIGNS: &[(ShaderLanguage, &[&str])] = &[
         "! TDFog (", "! TDCameraIndex (", "! TDInstanceID (", "! TDLighting (", "! sTD2DInputs [", "! sTD3DInputs [", "! sTDCubeInputs [",
         "! sTD2DArrayInputs [", "! uTD2DInfos [", "! uTDOutputInfo .", "! mTDComputeOutputs [",
     ]),
+    (MilkDrop, &["! ^ [ preset00 ]"]),
     (C, &[
         "# include <", "# pragma once", "int main (", "! std : :", "using namespace", "template <", "printf (", "^ class _ {", "^ class _ :",
         "^ namespace _", "public _", "private _", "public :", "private :", "nullptr", "- > _ (", "static_cast <", "^ extern \"", "String _",

@@ -54,12 +54,21 @@ fn signs(clues: &Clues) -> Vec<Sign> {
 /// Header keys that no other format has.
 const KEYS: [&str; 3] = ["\"INPUTS\"", "\"ISFVSN\"", "\"PASSES\""];
 
-/// The JSON text of a header.
+/// The JSON text of a header: the first comment with an object, after at most other comments.
 pub(super) fn head(text: &str) -> Option<&str> {
-    let text = text.trim_start_matches('\u{feff}').trim_start();
-    let (inside, _) = text.strip_prefix("/*")?.split_once("*/")?;
-    let inside = inside.trim_matches(|c: char| c.is_whitespace() || c == '*');
-    inside.starts_with('{').then_some(inside)
+    let mut text = text.trim_start_matches('\u{feff}').trim_start();
+    loop {
+        if text.starts_with("//") {
+            text = text.split_once('\n')?.1.trim_start();
+            continue;
+        }
+        let (inside, rest) = text.strip_prefix("/*")?.split_once("*/")?;
+        let inside = inside.trim_matches(|c: char| c.is_whitespace() || c == '*');
+        if inside.starts_with('{') {
+            return Some(inside);
+        }
+        text = rest.trim_start();
+    }
 }
 
 /// Parses a header. Trailing commas, comments, names without quotes and line breaks in strings are
@@ -421,10 +430,10 @@ fn declare(text: &str, _: usize, control: &UniformControl) -> Option<(usize, Str
     let input = format!(
         "{{ \"NAME\": \"{name}\", \"TYPE\": \"{ty}\", \"DEFAULT\": {value}, \"MIN\": {min}, \"MAX\": {max} }}"
     );
-    let head = text.get(..text.find("*/")?)?;
-    let inputs = head.find("\"INPUTS\"");
-    let Some(inputs) = inputs else {
-        let open = head.find('{')? + 1;
+    let head = head(text)?;
+    let start = text.find(head)?;
+    let Some(inputs) = head.find("\"INPUTS\"") else {
+        let open = start + 1;
         return Some((
             open,
             format!("\n    \"INPUTS\": [\n        {input}\n    ],"),
@@ -433,7 +442,7 @@ fn declare(text: &str, _: usize, control: &UniformControl) -> Option<(usize, Str
     let open = inputs + head.get(inputs..)?.find('[')? + 1;
     let is_empty = head.get(open..)?.trim_start().starts_with(']');
     let end = if is_empty { "\n    " } else { "," };
-    Some((open, format!("\n        {input}{end}")))
+    Some((start + open, format!("\n        {input}{end}")))
 }
 
 /// The control of an input, and the type of its uniform.

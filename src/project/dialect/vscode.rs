@@ -304,13 +304,17 @@ impl DirectiveFacts {
 }
 
 impl ChannelComment {
-    /// Applies the text after the number: a source, or `::` and a setting.
+    /// Applies the text after the number: a source, or `::` and a setting. Old versions of the
+    /// extension had no quotes.
     fn set(&mut self, rest: &str) {
-        let value = quoted(rest).unwrap_or("");
-        let Some(setting) = rest.trim_start().strip_prefix("::") else {
-            self.source = slashed(value);
+        let plain = rest.split(" //").next().unwrap_or("").trim();
+        let Some(setting) = plain.strip_prefix("::") else {
+            self.source = slashed(quoted(rest).unwrap_or(plain));
             return;
         };
+        let value = quoted(rest)
+            .or(setting.split_whitespace().nth(1))
+            .unwrap_or("");
         let filter = match value {
             v if v.contains("MipMap") => "mipmap",
             v if v.starts_with("Nearest") => "nearest",

@@ -87,11 +87,34 @@ fn own_uses(program: &Program, edits: Vec<Edit>) -> Vec<Edit> {
     edits.into_iter().filter(is_own).collect()
 }
 
-/// The entry function of the user.
+/// The entry function of the user: the one that the player calls, or `main`, or else the one that the
+/// `main` of the host calls.
 fn entry(program: &Program) -> Option<&FunctionDecl> {
-    let name = program.names.get(program.dialect.host().entry?.name)?;
-    program.tree.functions.iter().find(|f| {
-        f.ident.name == name && f.body.is_some() && is_user(program, program.span(f.header))
+    let name = program
+        .dialect
+        .host()
+        .entry
+        .map_or("main", |entry| entry.name);
+    let name = program.names.get(name)?;
+    let functions = &program.tree.functions;
+    let is_own = |f: &&FunctionDecl| f.body.is_some() && is_user(program, program.span(f.header));
+    let named = functions.iter().filter(|f| f.ident.name == name);
+    if let Some(own) = named.clone().find(is_own) {
+        return Some(own);
+    }
+    let main = named.last()?.extent;
+    let calls = program
+        .tree
+        .exprs
+        .iter()
+        .filter(|e| main.contains(e.extent));
+    let called = calls.filter_map(|e| match e.kind {
+        ExprKind::Call(name, _) => Some(name),
+        _ => None,
+    });
+    called.into_iter().find_map(|name| {
+        let mut own = functions.iter().filter(is_own);
+        own.find(|f| f.ident.name == name)
     })
 }
 
