@@ -416,10 +416,13 @@ fn pages_of_hosts_are_up_to_date() {
         `refuses` (what it does not accept: {limits}), `setters` (`dart`: an application sets the uniforms by their order), \
         `programs` (how many shaders it runs, which read each other).\n\n\
         A comment `// =` after a declaration states the value that the host sets, so that the shader can be run. Options \
-        follow after commas: `or TYPE` lists more types, `numbered` accepts any number in the name, and `usual` or `own` \
+        follow after commas: `or TYPE` lists more types, `numbered` accepts any number in the name, `ending` accepts names \
+        that end like this one, in capitals or not, and `usual` or `own` \
         states how strongly the name indicates this host. Names between `#ifdef SHADER_DECLARES` and `#endif` are declared \
         by the shaders themselves. The value of a varying is a GLSL expression of `port_place` (from 0 to 1), `port_pos` \
         (from -1 to 1) and `port_size` (pixels).\n\n\
+        Between `#ifdef SHADER_MAIN` and `#endif` is the `main` that the host appends; `port_entry` in it is the function \
+        that the shader defines.\n\n\
         Between `#ifdef SHADER_TEMPLATE` and `#endif` is the text around the code of a shader that `shaderport --target NAME` \
         writes: `#pragma code` is the place of the code, `port_image` its `mainImage`. What follows `#pragma screen` is written \
         if the shader reads the screen.\n\n{words}\n## All hosts\n\n| name | host | compiled as |\n|---|---|---|\n",

@@ -22,7 +22,7 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
     let mut comment = String::new();
     // Whether the current line is in the `SHADER_DECLARES` section.
     let mut is_theirs = false;
-    let mut template: Option<String> = None;
+    let mut section: Option<(&str, String)> = None;
     for (line, number) in text.split_inclusive('\n').zip(1..) {
         let wrong = |message| HeadError {
             line: number,
@@ -31,9 +31,9 @@ pub(super) fn read(text: &str, known: Known) -> Result<Preset, HeadError> {
         is_head &= line.starts_with("//") && !line.starts_with("///");
         if !is_head {
             let word = line.trim();
-            if template.is_some() || word == SHADER_TEMPLATE {
+            if section.is_some() || [SHADER_TEMPLATE, SHADER_MAIN].contains(&word) {
                 preset.prelude.push('\n');
-                template = preset.read_template(template.take(), line).map_err(wrong)?;
+                section = preset.read_section(section.take(), line).map_err(wrong)?;
                 continue;
             }
             if let Some(more) = word.strip_prefix("///") {
@@ -91,6 +91,9 @@ const SHADER_DECLARES: &str = "#ifdef SHADER_DECLARES";
 
 /// Starts the template.
 const SHADER_TEMPLATE: &str = "#ifdef SHADER_TEMPLATE";
+
+/// Starts the section of the text that the host appends.
+const SHADER_MAIN: &str = "#ifdef SHADER_MAIN";
 
 /// The keys of a header.
 const KEYS: [&str; 28] = [
@@ -151,20 +154,21 @@ impl Preset {
         self.about.push_str(line);
     }
 
-    /// Adds a line to those of the template; the last one completes it.
-    fn read_template(
+    /// Adds a line to those of a section; the last one completes it.
+    fn read_section<'t>(
         &mut self,
-        lines: Option<String>,
-        line: &str,
-    ) -> Result<Option<String>, String> {
-        match lines {
-            None => Ok(Some(String::new())),
-            Some(lines) if line.trim() == "#endif" => {
-                self.template = Some(Template::of(&lines)?);
-                Ok(None)
+        section: Option<(&'t str, String)>,
+        line: &'t str,
+    ) -> Result<Option<(&'t str, String)>, String> {
+        match section {
+            None => return Ok(Some((line.trim(), String::new()))),
+            Some((start, lines)) if line.trim() != "#endif" => {
+                return Ok(Some((start, lines + line)));
             }
-            Some(lines) => Ok(Some(lines + line)),
+            Some((SHADER_MAIN, lines)) => self.main = lines,
+            Some((_, lines)) => self.template = Some(Template::of(&lines)?),
         }
+        Ok(None)
     }
 
     fn set(&mut self, key: &str, value: &str, known: Known) -> Result<(), String> {

@@ -7,7 +7,8 @@
 //! `FRAGMENT_SHADER` defined. A comment `// = time` after a declaration states the value that the
 //! host sets ([`Meanings`]), comments `/// ...` before it are shown by editors. Names that the
 //! shaders declare themselves are between `#ifdef SHADER_DECLARES` and `#endif`, which are not put
-//! before any shader. Between `#ifdef SHADER_TEMPLATE` and `#endif` is what surrounds the code of a
+//! before any shader. Between `#ifdef SHADER_MAIN` and `#endif` is the `main` that the host appends, in
+//! which `port_entry` is the entry function of the shader. Between `#ifdef SHADER_TEMPLATE` and `#endif` is what surrounds the code of a
 //! shader that is written for the host ([`Template`]).
 
 mod derived;

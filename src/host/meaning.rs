@@ -2,7 +2,7 @@
 //!
 //! The value follows the `=`. Options follow after commas: how a texture is sampled (`mipmap`,
 //! `repeat`), further types (`or vec3 ivec2`), `numbered` if the number in the name may be any
-//! other, and how strongly the name indicates this host (`usual`, `own`).
+//! other, `ending` if names that end in it mean the same, and how strongly the name indicates this host (`usual`, `own`).
 
 use super::near::none_of;
 use serde::Serialize;
@@ -146,7 +146,7 @@ pub const OWN: u8 = 3;
 /// The value of a uniform with a name and one of several types.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct FeedRow {
-    /// The name; `#` in it stands for a number.
+    /// The name; `#` in it stands for a number, `*` for any beginning.
     pub name: String,
     /// The accepted types.
     pub types: Vec<String>,
@@ -206,11 +206,15 @@ pub struct Meanings {
 
 /// Whether only one name matches the name of a row.
 pub fn is_one_name(row: &str) -> bool {
-    !row.contains('#')
+    !row.contains(['#', '*'])
 }
 
-/// Whether a name matches the name of a row, in which `#` stands for a number.
+/// Whether a name matches the name of a row, in which `#` stands for a number, and `*` for any
+/// beginning: then capitals and underscores do not matter.
 pub fn is_named(row: &str, name: &str) -> bool {
+    if let Some(end) = row.strip_prefix('*') {
+        return name.replace('_', "").to_ascii_lowercase().ends_with(end);
+    }
     let Some((before, after)) = row.split_once('#') else {
         return row == name;
     };
@@ -378,8 +382,10 @@ impl Meanings {
                     .types
                     .extend(types.split_whitespace().map(str::to_string)),
                 None if word == "numbered" => row.name = numbered(declared.name)?,
+                None if word == "ending" => row.name = format!("*{}", declared.name),
                 None => {
-                    return Err(none_of(word, &["or TYPE", "numbered", "usual", "own"]));
+                    let all = ["or TYPE", "numbered", "ending", "usual", "own"];
+                    return Err(none_of(word, &all));
                 }
             }
         }

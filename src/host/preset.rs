@@ -117,6 +117,9 @@ pub struct Preset {
     /// The number of programs that it runs, each of which reads the outputs of the others from the
     /// channels with their numbers; 0 if it runs a single shader.
     pub programs: usize,
+    /// The text with `main` that it appends to shaders, in which `port_entry` is the function of its
+    /// own that a shader defines; empty if it appends nothing, or calls `mainImage` only.
+    pub main: String,
     /// How shaders are written for it.
     pub template: Option<Template>,
     /// Further evidence for this host in a shader.

@@ -23,6 +23,7 @@ const TOLD = {
   hyprland: 'read as Hyprland',
   ghostty: 'read as Ghostty',
   niri: 'read as niri',
+  'gl-transitions': 'read as GL Transitions',
   flutter: 'read as Flutter',
   xscreensaver: 'read as XScreenSaver',
 };

@@ -44,7 +44,6 @@ const LEFT: &[&[&str]] = &[
         "src/project/dialect/kodelife.rs",
         "src/project/dialect/kodi.rs",
         "src/project/dialect/mod.rs",
-        "src/project/dialect/niri.rs",
         "src/project/dialect/shadertoy.rs",
         "src/project/dialect/three.rs",
         "src/project/dialect/twigl.rs",

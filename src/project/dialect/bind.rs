@@ -1,6 +1,7 @@
 //! Binds the uniforms, samplers and varyings of a complete shader to values.
 
 use super::vertex::{VaryingValue, Vertex, vertex};
+use super::vscode::numbers;
 use super::with_usual;
 use crate::{ControlKind, Input, InputKind, OutputId, SamplerSettings, SignalForm, UniformControl};
 use serde::Serialize;
@@ -269,11 +270,10 @@ fn control(
         control.value = vec![(range.min + range.max) / 2.0; lanes];
     }
     let init = program.declarator_of(id).and_then(|d| d.init);
-    let first: Vec<f64> = init
-        .map_or(&[][..], |e| program.values(e))
-        .iter()
-        .map(number)
-        .collect();
+    let first: Vec<f64> = match init {
+        Some(init) => program.values(init).iter().map(number).collect(),
+        None => noted(program, declared, lanes),
+    };
     if first.len() == lanes {
         widen(&mut control, &first);
         control.value = first;
@@ -290,6 +290,26 @@ fn widen(control: &mut UniformControl, value: &[f64]) {
         if *value < *min {
             *min = 2.0 * value;
         }
+    }
+}
+
+/// The default value in the comment after a declaration, as GL Transitions writes it: `// = 0.1`.
+fn noted(program: &Program, name: shaderlint_text::Span, lanes: usize) -> Vec<f64> {
+    let file = program.sources.file_at(name.start);
+    let rest = file.and_then(|f| f.text.get((name.end - f.base) as usize..));
+    let line = rest.and_then(|rest| rest.lines().next()).unwrap_or("");
+    let comment = line.split_once("//").or_else(|| line.split_once("/*"));
+    let value = comment.and_then(|(_, text)| text.trim_start().strip_prefix('='));
+    let value = value.unwrap_or("").trim_start();
+    let is_constructed = value.starts_with(|c: char| c.is_alphabetic());
+    let end = value.find(|c: char| match is_constructed {
+        true => c == ')',
+        false => c.is_whitespace() || c == ',' || c == ';',
+    });
+    let found = numbers(value.get(..end.unwrap_or(value.len())).unwrap_or(""));
+    match found[..] {
+        [one] => vec![one; lanes],
+        _ => found,
     }
 }
 

@@ -64,6 +64,8 @@ pub struct Clues<'t> {
     has_output: bool,
     words: FxHashMap<&'t str, WordUses>,
     declared: FxHashSet<String>,
+    /// The names among these that are declared outside of functions.
+    outer: FxHashSet<String>,
 }
 
 impl<'t> Clues<'t> {
@@ -111,6 +113,7 @@ impl<'t> Clues<'t> {
             has_output: false,
             words,
             declared: FxHashSet::default(),
+            outer: FxHashSet::default(),
         }
     }
 
@@ -127,6 +130,12 @@ impl<'t> Clues<'t> {
             let name = program.names.text(variable.name).to_string();
             let ty = program.type_name(variable.ty);
             self.declared.insert(name.clone());
+            let function = variable.function.and_then(|f| program.function(f));
+            // A text without `main` was checked in the body of one.
+            let is_outer = |name| self.is_body && program.names.text(name) == "main";
+            if function.is_none_or(|f| is_outer(f.name)) {
+                self.outer.insert(name.clone());
+            }
             match variable.storage {
                 Storage::Output => self.has_output = true,
                 Storage::Uniform => self.uniforms.push(Interfacing { name, ty }),
@@ -149,9 +158,11 @@ impl<'t> Clues<'t> {
             .map(|f| f.ident.name);
         let macros = program.tokens.macros.iter();
         let macros = macros.filter(|m| !m.predefined && program.is_user(m.name_span));
-        let names = functions.chain(macros.map(|m| m.name));
-        self.declared
-            .extend(names.map(|n| program.names.text(n).to_string()));
+        for name in functions.chain(macros.map(|m| m.name)) {
+            let name = program.names.text(name);
+            self.declared.insert(name.to_string());
+            self.outer.insert(name.to_string());
+        }
     }
 
     /// Whether the text can be drawn: it has an entry function, or statements outside of functions.
@@ -192,6 +203,11 @@ impl<'t> Clues<'t> {
     /// Whether the text declares a name.
     pub fn declares(&self, name: &str) -> bool {
         self.declared.contains(name)
+    }
+
+    /// Whether the text declares a name outside of functions, so that the host must not declare it.
+    pub fn declares_outside(&self, name: &str) -> bool {
+        self.outer.contains(name)
     }
 
     /// Whether the text uses a name without declaring it.

@@ -94,12 +94,18 @@ impl Completion {
 
     /// The same with a `main` after the text that calls `mainImage`.
     pub fn calling_image(self) -> Completion {
-        let (declared, color) = match self.before.starts_with("#version 300") {
-            true => ("out vec4 port_Color;\n", "port_Color"),
-            false => ("", "gl_FragColor"),
+        self.with_main("void main() {\n    mainImage(gl_FragColor, gl_FragCoord.xy);\n}\n")
+    }
+
+    /// The same with a `main` in GLSL ES 1.00 after the text.
+    pub fn with_main(self, main: &str) -> Completion {
+        let end = match self.before.starts_with("#version 300") {
+            true => {
+                "\nout vec4 port_Color;\n".to_string() + &main.replace("gl_FragColor", "port_Color")
+            }
+            false => format!("\n{main}"),
         };
-        let main = format!("void main() {{\n    mainImage({color}, gl_FragCoord.xy);\n}}\n");
-        self.with_end(&format!("\n{declared}{main}"))
+        self.with_end(&end)
     }
 
     /// The same with another text after it.
@@ -200,7 +206,8 @@ pub(super) fn declarations(host: &Preset, clues: &Clues, is_vertex: bool) -> Str
 
 /// Removes the declarations of names that the text declares itself.
 pub(super) fn without_own(text: &str, clues: &Clues) -> String {
-    let is_theirs = |line: &&str| declared_in(line).is_none_or(|name| !clues.declares(name));
+    let is_theirs =
+        |line: &&str| declared_in(line).is_none_or(|name| !clues.declares_outside(name));
     let lines = text.lines().filter(|l| !l.is_empty()).filter(is_theirs);
     lines.map(|line| format!("{line}\n")).collect()
 }

@@ -13,7 +13,6 @@ mod isf;
 #[cfg(feature = "cli")]
 mod kodelife;
 mod kodi;
-mod niri;
 mod shadertoy;
 mod three;
 mod twigl;
@@ -228,7 +227,6 @@ static CODES: &[&HostCode] = &[
     #[cfg(feature = "cli")]
     &kodelife::CODE,
     &kodi::CODE,
-    &niri::CODE,
     &shadertoy::CODE,
     &three::CODE,
     &twigl::CODE,
@@ -275,12 +273,19 @@ fn plan_with_own(mut plan: Plan, host: &Preset, clues: &Clues) -> Plan {
 /// The default plan: one pass, with the declarations of the host or unchanged.
 fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
     let mut candidates = Vec::new();
-    if !host.prelude.trim().is_empty() {
+    if !host.prelude.trim().is_empty() || !host.main.is_empty() {
         let before = declarations(host, clues, false);
         candidates = completions_after(clues, &before, false);
         if host.version == HostVersion::Desktop && clues.asked == VersionAsked::Nothing {
             candidates = vec![Completion::after(modern(clues) + &before, clues.text)];
         }
+    }
+    if !host.main.is_empty() {
+        let mut entries = host.entries.iter();
+        let own = entries.clone().find(|entry| clues.declares(entry));
+        let entry = own.or(entries.next()).map_or("", String::as_str);
+        let main = host.main.replace("port_entry", entry);
+        return Plan::image(candidates.into_iter().map(|c| c.with_main(&main)).collect());
     }
     let calls = host.entries.iter().any(|entry| entry == "mainImage");
     if calls && clues.has_word("mainImage") && !clues.guess.has_main {
@@ -360,7 +365,12 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
     let Some((weight, host, signs)) = found.next() else {
         return preset("webgl").map(Recognised::given);
     };
-    let tied = found.next().filter(|(other, ..)| *other == weight);
+    // A syntax that only one host has decides.
+    let has_form = |signs: &[Sign]| signs.iter().any(|sign| sign.is_form);
+    let is_tied = |other: u32, more: &[Sign]| other == weight && has_form(more) >= has_form(&signs);
+    let tied = found
+        .next()
+        .filter(|(other, _, more)| is_tied(*other, more));
     Some(Recognised {
         host,
         signs,
@@ -560,7 +570,13 @@ impl Recognised {
     /// The host and the evidence for it.
     pub fn title_and_signs(&self) -> String {
         let title = self.host.read_as();
-        let signs: Vec<&str> = self.signs.iter().map(|s| s.what.as_str()).take(4).collect();
+        let mut signs: Vec<&str> = Vec::new();
+        for sign in &self.signs {
+            // A name may be evidence both as a word and by its meaning.
+            if signs.len() < 4 && !signs.contains(&sign.what.as_str()) {
+                signs.push(&sign.what);
+            }
+        }
         match signs.as_slice() {
             [] => title.to_string(),
             signs => format!("{title} (found {})", signs.join(", ")),

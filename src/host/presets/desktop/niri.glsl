@@ -43,6 +43,16 @@ uniform vec4 niri_corner_radius; // = nothing
 uniform float niri_clip_to_geometry; // = nothing
 uniform float niri_alpha; // = ones
 uniform float niri_scale; // = ones
+#ifdef SHADER_MAIN
+// A window of two thirds of the image, in front of a plain background.
+void main() {
+    vec2 port_at = gl_FragCoord.xy / niri_size - 0.5;
+    vec3 port_geo = vec3(1.5 * vec2(port_at.x, -port_at.y) + 0.5, 1.0);
+    vec4 port_window = port_entry(port_geo, vec3(niri_geo_size, 1.0)) * niri_alpha;
+    vec3 port_behind = vec3(0.16, 0.18, 0.24);
+    gl_FragColor = vec4(port_window.rgb + (1.0 - port_window.a) * port_behind, 1.0);
+}
+#endif
 #ifdef SHADER_TEMPLATE
 #pragma screen
 vec4 texture(sampler2D s, vec2 p) {

@@ -19,10 +19,8 @@
 // setters: dart
 #ifdef SHADER_DECLARES
 uniform vec2 uSize; // = resolution
-uniform vec2 u_size; // = resolution
-uniform vec2 uResolution; // = resolution
-uniform vec2 resolution; // = resolution
-uniform vec2 size; // = resolution
+uniform vec2 size; // = resolution, ending
+uniform vec2 resolution; // = resolution, ending
 uniform float uTime; // = time
 uniform float u_time; // = time
 uniform float time; // = time

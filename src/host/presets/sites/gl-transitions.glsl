@@ -14,15 +14,24 @@
 // version: 100
 // names: all
 // entry: transition
+// composes: yes
 #ifdef FRAGMENT_SHADER
+#if __VERSION__ == 300
+#define texture2D texture
+#endif
 precision highp float;
-varying vec2 _uv;
-uniform sampler2D from;
-uniform sampler2D to;
-uniform float progress; // = control
+varying vec2 _uv; // = port_place
+uniform sampler2D from; // = file
+uniform sampler2D to; // = screen
+uniform float progress; // = progress
 uniform float ratio; // = aspect
 uniform float _fromR; // = aspect
 uniform float _toR; // = aspect
-vec4 getFromColor(vec2 uv);
-vec4 getToColor(vec2 uv);
+vec4 getFromColor(vec2 uv) { return texture2D(from, uv); }
+vec4 getToColor(vec2 uv) { return texture2D(to, uv); }
+#endif
+#ifdef SHADER_MAIN
+void main() {
+    gl_FragColor = transition(_uv);
+}
 #endif
