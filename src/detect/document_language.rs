@@ -13,6 +13,8 @@ pub enum DocumentLanguage {
     Component,
     /// Markdown: fences.
     Markdown,
+    /// KDL, as in the configuration of niri: strings.
+    Kdl,
 }
 
 impl fmt::Display for DocumentLanguage {
@@ -22,6 +24,7 @@ impl fmt::Display for DocumentLanguage {
             DocumentLanguage::Script => "a script",
             DocumentLanguage::Component => "a component",
             DocumentLanguage::Markdown => "Markdown",
+            DocumentLanguage::Kdl => "KDL",
         })
     }
 }
@@ -34,6 +37,7 @@ impl DocumentLanguage {
             "js" | "mjs" | "cjs" | "jsx" | "ts" | "mts" | "cts" | "tsx" => DocumentLanguage::Script,
             "vue" | "svelte" | "astro" => DocumentLanguage::Component,
             "md" | "markdown" | "mdx" => DocumentLanguage::Markdown,
+            "kdl" => DocumentLanguage::Kdl,
             _ => return None,
         })
     }

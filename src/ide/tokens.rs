@@ -159,7 +159,7 @@ fn unseen(document: &Document, span: Span, found: &mut Vec<SemanticToken>) {
 fn is_highlighted(text: &str, embedded: &Embedded) -> bool {
     let before = text.get(..embedded.start).unwrap_or("");
     match embedded.wrapping {
-        Wrapping::Quotes => false,
+        Wrapping::Quotes | Wrapping::Raw => false,
         Wrapping::Template => {
             let before = before.trim_end().trim_end_matches('`').trim_end();
             let is_tag = before.ends_with(|c: char| c.is_alphanumeric() || c == '_');

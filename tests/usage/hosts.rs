@@ -21,7 +21,7 @@ fn fixtures() -> Vec<(String, PathBuf)> {
         let host = folder.file_name().unwrap().to_str().unwrap().to_string();
         for file in fs::read_dir(folder).unwrap() {
             let path = file.unwrap().path();
-            let others = ["vs", "klproj"];
+            let others = ["vs", "klproj", "kdl"];
             let is_shader = path
                 .extension()
                 .is_some_and(|e| others.iter().all(|o| e != *o));

@@ -5,6 +5,7 @@ mod baselines;
 mod cache;
 mod commands;
 mod config;
+mod containers;
 mod fixes;
 mod formatting;
 mod hosts;

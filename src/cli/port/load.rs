@@ -270,7 +270,16 @@ pub(in crate::cli) fn draft(path: &Path, from: Option<&str>) -> Result<OpenedPro
             options.file_access(&Disk::new()),
         );
     }
-    open_one(path, None, host, &configs)
+    let mut opened = open_one(path, None, host, &configs)?;
+    let name = slashed(path);
+    let composed = opened.project.resolve(&name);
+    let composed = composed.map_err(|e| format!("{name}: {e}"))?;
+    // Most other hosts run desktop GLSL.
+    if opened.project.host.is_some() && composed.has_errors() {
+        let repaired = apply_repairs(&opened.project, &composed, &name, Mode::AsItIs)?;
+        opened.project = repaired.map_or(opened.project, |(fixed, ..)| fixed);
+    }
+    Ok(opened)
 }
 
 fn open_one(

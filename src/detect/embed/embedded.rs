@@ -37,6 +37,7 @@ impl Embedded {
             Wrapping::Element => !text.contains("</"),
             Wrapping::Template => !text.contains(['`', '\\', '$']),
             Wrapping::Quotes => !text.contains(['"', '\'', '\\', '\n', '\r']),
+            Wrapping::Raw => !text.contains('"'),
             Wrapping::Fence => !text.contains("```"),
             Wrapping::Listing => !text.contains(['<', '&']),
         };
@@ -94,6 +95,8 @@ pub enum Wrapping {
     Template,
     /// A string literal, or several that are concatenated.
     Quotes,
+    /// A string literal with line breaks and without escape sequences.
+    Raw,
     /// A fenced code block of Markdown.
     Fence,
     /// An element of a web page that shows code.

@@ -2,7 +2,7 @@
 
 use super::DocumentLanguage;
 use super::embedded::{Embedded, Wrapping, left_out};
-use super::{component, holes, html, script};
+use super::{component, holes, html, kdl, script};
 use crate::kind::Evidence;
 
 /// Finds the shaders.
@@ -69,6 +69,7 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
             DocumentLanguage::Script => script::extract(content, start, false, found),
             DocumentLanguage::Component => component::extract(content, start, found),
             DocumentLanguage::Markdown => extract(content, start, found),
+            DocumentLanguage::Kdl => kdl::extract(content, start, found),
         };
     }
     let is_named = matches!(

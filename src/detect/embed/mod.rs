@@ -13,6 +13,7 @@ mod embedder;
 mod hole;
 mod holes;
 mod html;
+mod kdl;
 mod keyword;
 mod listing;
 mod literal;
@@ -53,6 +54,7 @@ pub fn extract_named(name: &str, language: DocumentLanguage, text: &str) -> Vec<
         }
         DocumentLanguage::Component => component::extract(text, 0, &mut found),
         DocumentLanguage::Markdown => markdown::extract(text, 0, &mut found),
+        DocumentLanguage::Kdl => kdl::extract(text, 0, &mut found),
     }
     found.iter_mut().for_each(Embedded::leave_out);
     found

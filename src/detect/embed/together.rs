@@ -28,7 +28,7 @@ pub fn together(language: DocumentLanguage, text: &str, all: &[Embedded]) -> Vec
 pub fn scripts(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
     match language {
         DocumentLanguage::Script => std::iter::once(0..text.len()).collect(),
-        DocumentLanguage::Markdown => Vec::new(),
+        DocumentLanguage::Markdown | DocumentLanguage::Kdl => Vec::new(),
         _ => html::scripts(text),
     }
 }

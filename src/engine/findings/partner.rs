@@ -183,7 +183,7 @@ pub fn link_all(file: &mut FileCheck) {
     let parts = programs(sources, &file.parts, embedded, document.base);
     // A document shows fragments of several programs.
     let only = match language {
-        DocumentLanguage::Markdown => return,
+        DocumentLanguage::Markdown | DocumentLanguage::Kdl => return,
         _ if parts.iter().all(Option::is_some) => pair(&parts, &mut (0..parts.len())),
         _ => None,
     };

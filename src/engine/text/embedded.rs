@@ -35,7 +35,7 @@ pub fn parts(
     let mut all = std::mem::take(&mut input.embedded);
     // A document shows code of several programs.
     let embedder = match language {
-        DocumentLanguage::Markdown => Embedder::default(),
+        DocumentLanguage::Markdown | DocumentLanguage::Kdl => Embedder::default(),
         DocumentLanguage::Html | DocumentLanguage::Script | DocumentLanguage::Component => {
             let own = Embedder::of(text);
             // What scripts do with leading white space only matters for shaders that start with it.
@@ -129,7 +129,7 @@ fn part(
         stage: embedded.is_vertex.then_some(Stage::Vertex),
         surroundings: match embedded.wrapping {
             Wrapping::Element => Surroundings::Element,
-            Wrapping::Template | Wrapping::Quotes => Surroundings::Literal,
+            Wrapping::Template | Wrapping::Quotes | Wrapping::Raw => Surroundings::Literal,
             Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
         is_open: false,

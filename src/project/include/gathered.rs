@@ -20,6 +20,21 @@ pub struct GatheredText {
 }
 
 impl GatheredText {
+    /// The same, if its own first line is this one of its file.
+    pub fn from_line(mut self, line: u32) -> GatheredText {
+        if self.pieces.is_empty() {
+            self.pieces.push(TextPiece {
+                start: 1,
+                file: String::new(),
+                line: 1,
+            });
+        }
+        for piece in self.pieces.iter_mut().filter(|piece| piece.file.is_empty()) {
+            piece.line += line - 1;
+        }
+        self
+    }
+
     /// A text that includes nothing.
     pub fn of(text: impl Into<Arc<str>>) -> GatheredText {
         GatheredText {

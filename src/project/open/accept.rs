@@ -1,7 +1,8 @@
 //! Which texts are opened: shaders, in a language that is ported.
 
-use shaderlint_detect::embed::extract_named;
+use shaderlint_detect::embed::{DocumentLanguage, extract_named};
 use shaderlint_detect::kind::{Claim, Evidence, FileKind, ShaderLanguage, decide};
+use shaderlint_semantic::{Stage, guess};
 use std::path::Path;
 
 /// The name of a file without its extension.
@@ -10,23 +11,38 @@ pub(super) fn title(path: &Path) -> String {
     stem.to_string_lossy().into_owned()
 }
 
-/// The shader in a script or page, at its lines; `None` if the text is a shader itself.
-pub(super) fn only_shader(name: &str, text: &str) -> Result<Option<String>, String> {
+/// A shader in a document.
+pub(super) struct HeldShader {
+    pub code: String,
+    /// Its first line in the document, from 1.
+    pub line: u32,
+    /// What is said about further shaders.
+    pub note: Option<String>,
+}
+
+/// The shader in a document; `None` if the text is a shader itself. Only KDL has several that are
+/// alternatives.
+pub(super) fn held(name: &str, text: &str) -> Result<Option<HeldShader>, String> {
     let FileKind::Holds(language) = decide(name, text, Claim::None).kind else {
         return Ok(None);
     };
-    match &extract_named(name, language, text)[..] {
-        [one] => {
-            let before = text.get(..one.start).unwrap_or("");
-            let lines = "\n".repeat(before.matches('\n').count());
-            Ok(Some(format!("{lines}{}", one.code)))
+    let mut all = extract_named(name, language, text);
+    all.retain(|shader| !shader.has_holes && guess(&shader.code).stage != Some(Stage::Vertex));
+    let line = |at: usize| 1 + text.get(..at).unwrap_or("").matches('\n').count() as u32;
+    match &all[..] {
+        [first, rest @ ..] if rest.is_empty() || language == DocumentLanguage::Kdl => {
+            let note = rest.first().map(|next| {
+                let (count, next) = (all.len(), line(next.start));
+                format!("the first of {count} shaders is drawn; the next one starts in line {next}")
+            });
+            Ok(Some(HeldShader {
+                code: first.code.clone(),
+                line: line(first.start),
+                note,
+            }))
         }
-        [] => Err(format!(
+        _ => Err(format!(
             "expected a shader, found {language}; move the shader to a file of its own"
-        )),
-        all => Err(format!(
-            "expected a shader, found {language} with {} shaders; move one of them to a file of its own",
-            all.len()
         )),
     }
 }

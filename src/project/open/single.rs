@@ -1,6 +1,6 @@
 //! Opens a file: a shader, an export, or a script or page that holds one shader.
 
-use super::accept::{only_shader, reject_other_languages, title};
+use super::accept::{held, reject_other_languages, title};
 use super::opened::{OpenedProject, SingleShader};
 use super::passes::open_family;
 use crate::access::FileAccess;
@@ -39,8 +39,8 @@ pub fn open_file(
     if is_description && !text.contains("<klxml") {
         return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
-    let inside = only_shader(name, text).map_err(wrong)?;
-    let text = inside.as_deref().unwrap_or(text);
+    let held = held(name, text).map_err(wrong)?;
+    let text = held.as_ref().map_or(text, |held| &held.code);
     if host.or(access.host).is_none()
         && let Some(family) = family(name, text, access)
     {
@@ -52,6 +52,10 @@ pub fn open_file(
         true => GatheredText::of(text),
         false => gather(name, text, None, access)
             .ok_or_else(|| wrong(ShaderError::TooLarge.to_string()))?,
+    };
+    let text = match &held {
+        Some(held) => text.from_line(held.line),
+        None => text,
     };
     let mut single = SingleShader {
         text,
@@ -71,7 +75,9 @@ pub fn open_file(
         );
         let project = drafted.map_err(|e| wrong(e.to_string()))?;
         if !read_siblings(name, &project.requested, &mut single.siblings, access).map_err(wrong)? {
-            return drafted_alone(name, project, single, access);
+            let mut draft = drafted_alone(name, project, single, access)?;
+            draft.project.notes.extend(held.and_then(|held| held.note));
+            return Ok(draft);
         }
     }
 }
@@ -146,14 +152,8 @@ pub fn read_siblings(
 }
 
 /// A text of another file than the shader's own.
-fn of_file(mut text: GatheredText, name: &str) -> GatheredText {
-    if text.pieces.is_empty() {
-        text.pieces.push(shaderlint_text::TextPiece {
-            start: 1,
-            file: String::new(),
-            line: 1,
-        });
-    }
+fn of_file(text: GatheredText, name: &str) -> GatheredText {
+    let mut text = text.from_line(1);
     for piece in text.pieces.iter_mut().filter(|piece| piece.file.is_empty()) {
         piece.file = name.to_string();
     }
