@@ -162,7 +162,7 @@ errors! {
     /// `;` at global scope.
     STRAY_SEMICOLON = "stray-semicolon", is(Facet::Reads);
     /// `{1.0, 2.0}` as an initializer.
-    INITIALIZER_LIST = "initializer-list", syntax;
+    INITIALIZER_LIST = "initializer-list", syntax, is(Facet::Desktop);
     /// A construct of another language.
     FOREIGN_SYNTAX = "foreign-syntax", syntax, is(Facet::ForeignForm);
 
@@ -178,7 +178,7 @@ errors! {
     /// A name declared twice in one scope.
     REDEFINITION = "redefinition", meaning, is(Facet::Declares);
     /// A function with the name of a built-in function.
-    BUILTIN_REDEFINITION = "builtin-redefinition", meaning, is(Facet::Declares);
+    BUILTIN_REDEFINITION = "builtin-redefinition", meaning, is(Facet::Declares), is(Facet::Desktop);
     /// `gl_x`, `a__b`, `webgl_x`.
     RESERVED_IDENTIFIER = "reserved-identifier";
     /// A type without a default precision.
