@@ -160,7 +160,7 @@ errors! {
     /// `(`, `[` or `{` without its counterpart, or the reverse.
     UNCLOSED_DELIMITER = "unclosed-delimiter", syntax, is(Facet::EndsEarly), is(Facet::Reads), is(Facet::ForeignForm), is(Facet::Grammar);
     /// `;` at global scope.
-    STRAY_SEMICOLON = "stray-semicolon", is(Facet::Reads);
+    STRAY_SEMICOLON = "stray-semicolon", is(Facet::Reads), is(Facet::Desktop);
     /// `{1.0, 2.0}` as an initializer.
     INITIALIZER_LIST = "initializer-list", syntax, is(Facet::Desktop);
     /// A construct of another language.
@@ -208,7 +208,7 @@ errors! {
     /// A qualifier that is not allowed here or conflicts with another.
     INVALID_QUALIFIER = "invalid-qualifier";
     /// A `layout(...)` that is not allowed here.
-    INVALID_LAYOUT = "invalid-layout";
+    INVALID_LAYOUT = "invalid-layout", is(Facet::Desktop);
     /// Fragment outputs with missing or conflicting locations.
     OUTPUT_LOCATION = "output-location", lacks(Lack::Output);
     /// An input or output of a type that is not allowed.

@@ -137,7 +137,8 @@ fn transitions_have_controls_with_their_defaults() {
 #[test]
 fn desktop_glsl_of_a_host_is_accepted_by_all_commands() {
     let code = "vec4 TINT = vec4(iCurrentCursorColor.rgb * 0.5, 1);\n\
-        float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }\n\
+        layout(location = 0) uniform float gain;\n\
+        float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x * gain; };\n\
         void mainImage(out vec4 o, in vec2 p) {\n    vec2 ends[2] = { vec2(0, 1), vec2(1, 2) };\n    \
         o = texture(iChannel0, p / iResolution.xy) + TINT * cross(ends[0], ends[1]) * 2;\n}\n";
     let scratch = Scratch::new(&[("g.glsl", code)]);
