@@ -51,9 +51,12 @@ impl fmt::Display for Decision {
 }
 
 impl Decision {
-    /// For JSON that is not an export.
-    pub fn no_export() -> Decision {
-        Decision::new(FileKind::Other, "JSON, but not a ShaderToy export")
+    /// The same for a text that is not an export after all.
+    pub fn no_export(self) -> Decision {
+        match self.reason.ends_with("JSON") {
+            true => Decision::new(FileKind::Other, "JSON, but not a ShaderToy export"),
+            false => self,
+        }
     }
 
     fn new(kind: FileKind, reason: impl Into<String>) -> Decision {

@@ -39,7 +39,7 @@ pub fn format(
         }
         FileKind::Holds(language) => formatting.inside(name, language, text, choice),
         FileKind::Export if Project::from_json(text).is_ok() => formatting.export(text, style),
-        FileKind::Export => return Err(Decision::no_export()),
+        FileKind::Export => return Err(decision.no_export()),
         FileKind::Foreign(_) | FileKind::Other => return Err(decision),
     }
     Ok(formatting)

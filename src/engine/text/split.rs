@@ -56,7 +56,7 @@ pub fn split(
         FileKind::Export => {
             let project = match text.trim_start().starts_with('<') {
                 true => Project::draft("", text, None).map_err(|_| Unread::Skipped(decision))?,
-                false => Project::from_json(text).map_err(|e| no_project(e, text))?,
+                false => Project::from_json(text).map_err(|e| no_project(e, text, decision))?,
             };
             let composed = compose(&project, name).ok_or(Unread::TooLarge)?;
             input.export = Some(ExportText::of(text, &project, &composed));
@@ -102,11 +102,11 @@ pub fn split(
 }
 
 /// JSON that is not an export is skipped, unless it mentions render passes.
-fn no_project(error: ProjectError, text: &str) -> Unread {
+fn no_project(error: ProjectError, text: &str, decision: Decision) -> Unread {
     let is_meant = text.contains("\"renderpass\"");
     match error {
-        ProjectError::NotAnExport => Unread::Skipped(Decision::no_export()),
-        ProjectError::Json { .. } if !is_meant => Unread::Skipped(Decision::no_export()),
+        ProjectError::NotAnExport => Unread::Skipped(decision.no_export()),
+        ProjectError::Json { .. } if !is_meant => Unread::Skipped(decision.no_export()),
         error => Unread::Export(error),
     }
 }
