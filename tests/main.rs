@@ -22,6 +22,7 @@ mod repair;
 mod scratch;
 mod tidy;
 mod tracing;
+mod units;
 mod usage;
 mod verdicts;
 mod words;

@@ -233,6 +233,6 @@ pub fn read(input: &InputFile) -> Result<Content, String> {
             bytes
         }
     };
-    let bytes = super::port::inflate(&bytes).unwrap_or(Ok(bytes))?;
+    let bytes = super::inflate::inflate(&bytes).unwrap_or(Ok(bytes))?;
     Ok(Content::of(bytes))
 }

@@ -17,6 +17,7 @@ mod fmt;
 mod framing;
 mod global;
 mod image_file;
+mod inflate;
 mod input;
 mod lint;
 #[cfg(feature = "lsp")]

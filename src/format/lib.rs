@@ -26,9 +26,6 @@ mod spacing;
 mod structure;
 mod style;
 
-#[cfg(test)]
-mod tests;
-
 use item::items;
 use layout::LayoutSettings;
 pub use request::{FormattedText, Lines, TextExtent, Unformatted};

@@ -23,8 +23,6 @@ mod run;
 mod selection;
 mod signature;
 mod symbol;
-#[cfg(test)]
-mod tests;
 mod tokens;
 
 pub use actions::{Action, ActionKind, actions, fix_all};

@@ -1,6 +1,6 @@
 //! ShaderToy projects: passes and the inputs of their channels.
 
-use super::{Bindings, Completion, PassDraw, StandIn, UniformControl};
+use super::{Bindings, Completion, PassDraw, PassRole, StandIn, UniformControl};
 use shaderlint_host::Preset;
 use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
 use shaderlint_text::TextPiece;
@@ -22,6 +22,8 @@ pub struct Project {
     pub described: usize,
     /// The uniforms that the user sets.
     pub controls: Vec<UniformControl>,
+    /// The pass whose file was opened, if others were found beside it.
+    pub opened: Option<PassRole>,
     /// Notes about how the input was interpreted.
     pub notes: Vec<String>,
     /// Companion files that have not been read yet, by their paths relative to the project's

@@ -16,7 +16,7 @@ mod watch;
 
 pub use args::PortArgs;
 pub(super) use load::{draft, put_channels};
-pub(super) use read::{inflate, read_text};
+pub(super) use read::read_text;
 pub(super) use save::save;
 
 use super::command::FAILED;

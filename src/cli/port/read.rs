@@ -1,9 +1,9 @@
 //! Reads input files, with a size limit and a notice while waiting for a pipe.
 
+use crate::cli::inflate::inflate;
 use crate::cli::usage::missing;
 use crate::text::path::slashed;
 use crate::text::{Content, Encoding};
-use flate2::read::ZlibDecoder;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -135,32 +135,6 @@ fn read_to(file: &mut File) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(MAX_CODE + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-/// Decompresses XML, as KodeLife stores it; `None` if it is not compressed.
-pub(in crate::cli) fn inflate(bytes: &[u8]) -> Option<Result<Vec<u8>, String>> {
-    let [0x78, second, ..] = bytes else {
-        return None;
-    };
-    if (0x7800 + u32::from(*second)) % 31 != 0 {
-        return None;
-    }
-    // One byte more than the limit shows that there is more.
-    let mut reader = ZlibDecoder::new(bytes).take(MAX_SHADER as u64 + 1);
-    let mut start = [0; 1];
-    let is_xml = matches!(reader.read(&mut start), Ok(1)) && start == *b"<";
-    if !is_xml {
-        return None;
-    }
-    let mut text = start.to_vec();
-    Some(match reader.read_to_end(&mut text) {
-        Ok(_) if text.len() > MAX_SHADER => Err(format!(
-            "the project is larger than {} when decompressed",
-            size_words(MAX_SHADER as u64)
-        )),
-        Ok(_) => Ok(text),
-        Err(error) => Err(format!("the compressed project is damaged: {error}")),
-    })
 }
 
 /// Decodes a text and removes a byte order mark.

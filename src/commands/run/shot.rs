@@ -13,7 +13,7 @@ use shaderlint_ir::Module;
 use shaderlint_lint::march::slope_probe;
 use shaderlint_lint::{CachedFacts, Facts};
 use shaderlint_play::{PlaybackOptions, Player};
-use shaderlint_project::{Composed, PassUnit, Project, Wrapper, missing};
+use shaderlint_project::{Composed, PassRole, PassUnit, Project, Wrapper, missing};
 use shaderlint_semantic::{Pass, Program, Stage, Storage};
 use shaderlint_text::Sources;
 use std::sync::atomic::AtomicBool;
@@ -357,10 +357,13 @@ fn alone(
     Ok(scene.code.samplers.is_empty().then_some(scene))
 }
 
-/// The pass to show: the given one, or the image pass.
+/// The pass to show: the given one, the one whose file was opened, or the image pass.
 fn chosen<'a>(loaded: &'a Loaded, asked: Option<&str>) -> Result<(usize, &'a PassUnit), String> {
     let passes = &loaded.project.passes;
     let slug = |unit: &PassUnit| passes.get(unit.pass).map_or("", |p| p.slug());
+    let is_drawn = |role: &PassRole| matches!(role.kind(), Pass::Buffer | Pass::Cubemap);
+    let opened = loaded.project.opened.filter(is_drawn);
+    let asked = asked.or(opened.map(PassRole::name));
     let mut units = loaded.composed.units.iter().enumerate();
     let found = match asked {
         Some(asked) => units.find(|(_, unit)| slug(unit) == asked),

@@ -54,6 +54,3 @@ fn versions(vertex: &Interface, fragment: &Interface, found: &mut LinkErrors) {
             .help("use the same `#version` in both shaders"),
     );
 }
-
-#[cfg(test)]
-mod tests;

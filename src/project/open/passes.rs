@@ -46,11 +46,12 @@ pub(super) fn open_family(
     }
     let others = passes.iter().filter(|(_, path)| path != own);
     let others: Vec<String> = others.map(|(_, path)| file_name(path)).collect();
-    draft.project.notes.push(format!(
-        "read as the pass `{}` with {} beside it",
-        role.name(),
-        others.join(", ")
-    ));
+    if !others.is_empty() {
+        draft.project.opened = has_image.then_some(role);
+        let (pass, others) = (role.name(), others.join(", "));
+        let note = format!("read as the pass `{pass}` with {others} beside it");
+        draft.project.notes.push(note);
+    }
     draft.read.retain(|path| path != own);
     draft.placed(folder, access)
 }
@@ -122,10 +123,8 @@ pub(super) fn open_found(found: FoundPasses, access: FileAccess) -> Result<Opene
 /// Adds the files of passes that have no file by their names.
 fn add_missing(passes: &mut Vec<(PassRole, PathBuf)>, found: &Manifest) {
     for (role, path) in &found.passes {
-        if !passes
-            .iter()
-            .any(|(known, own)| known == role || own == path)
-        {
+        let is_it = |(known, own): &(PassRole, PathBuf)| known == role || own == path;
+        if !passes.iter().any(is_it) {
             passes.push((*role, path.clone()));
         }
     }
@@ -171,9 +170,7 @@ fn opened(
     let texts: Vec<GatheredText> = parts.iter().map(|part| part.text.clone()).collect();
     let project = Project::from_parts(title, parts).map_err(|e| e.to_string())?;
     let mut draft = OpenedProject::of(project);
-    draft
-        .read
-        .extend(files.iter().map(|(_, path)| path.clone()));
+    draft.read = files.iter().map(|(_, path)| path.clone()).collect();
     for text in &texts {
         draft.gathered(text);
     }
@@ -187,20 +184,14 @@ pub(super) fn loaded(path: &Path, access: FileAccess) -> Result<String, String> 
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
+    let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
 }
 
 /// The name of a folder.
 fn folder_title(folder: &Path, access: FileAccess) -> String {
-    file_name(
-        &access
-            .files
-            .real(folder)
-            .unwrap_or_else(|| folder.to_path_buf()),
-    )
+    let real = access.files.real(folder);
+    file_name(real.as_deref().unwrap_or(folder))
 }
 
 /// The passes in a folder.
@@ -219,11 +210,9 @@ pub fn folder_passes(
         return programs.ok_or_else(|| no_pass(folder, passes.others().next(), access));
     }
     let named_there = |path: &Path| loaded(path, access).is_ok_and(|text| has_directives(&text));
-    if let Some((_, image)) = found
-        .iter()
-        .find(|(role, path)| *role == PassRole::Image && named_there(path))
-    {
-        return Ok(vec![(PassRole::Image, image.clone())]);
+    let mut images = found.iter().filter(|(role, _)| *role == PassRole::Image);
+    if let Some(image) = images.find(|(_, path)| named_there(path)) {
+        return Ok(vec![image.clone()]);
     }
     // A name alone does not make a cube map or a sound.
     found.retain(|(role, path)| match role.kind() {
@@ -267,19 +256,14 @@ pub(super) fn left_out(folder: &Path, read: &[PathBuf], access: FileAccess) -> O
         return None;
     }
     let passes = access.cache.passes(access.files, folder);
-    let others = passes
-        .others()
-        .filter(|path| !read.iter().any(|known| known == path));
-    let others: Vec<String> = others
-        .filter(|path| access.pass(path).is_some())
-        .map(file_name)
-        .collect();
-    (!others.is_empty()).then(|| {
-        format!(
-            "not used, since the name matches no pass: {}",
-            others.join(", ")
-        )
-    })
+    let is_left = |path: &&Path| !read.iter().any(|known| known == path);
+    let others = passes.others().filter(is_left);
+    let others = others.filter(|path| access.pass(path).is_some());
+    let others: Vec<String> = others.map(file_name).collect();
+    let others = Some(others.join(", ")).filter(|others| !others.is_empty())?;
+    Some(format!(
+        "not used, since the name matches no pass: {others}"
+    ))
 }
 
 /// The programs of a screen saver of XScreenSaver: the files themselves, or those of a folder.

@@ -98,11 +98,11 @@ fn entry(program: &Program) -> Option<&FunctionDecl> {
     let name = program.names.get(name)?;
     let functions = &program.tree.functions;
     let is_own = |f: &&FunctionDecl| f.body.is_some() && is_user(program, program.span(f.header));
-    let named = functions.iter().filter(|f| f.ident.name == name);
+    let mut named = functions.iter().filter(|f| f.ident.name == name);
     if let Some(own) = named.clone().find(is_own) {
         return Some(own);
     }
-    let main = named.last()?.extent;
+    let main = named.next_back()?.extent;
     let calls = program
         .tree
         .exprs

@@ -1,11 +1,11 @@
 //! Tests with a marker `|` in the text for the position.
 
-use super::*;
-use shaderlint_engine::Options;
-use shaderlint_lint::Settings;
-use shaderlint_project::NoFiles;
-use shaderlint_semantic::VariableId;
-use shaderlint_text::{Span, apply_edits};
+use shaderlint::engine::Options;
+use shaderlint::ide::*;
+use shaderlint::lint::Settings;
+use shaderlint::project::NoFiles;
+use shaderlint::semantic::VariableId;
+use shaderlint::text::{Span, apply_edits};
 use std::sync::Arc;
 
 /// The beginning of each test shader.

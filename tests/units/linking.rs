@@ -1,9 +1,9 @@
 //! Link errors of pairs of shaders.
 
-use super::link;
-use crate::analyze;
-use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint_text::{Role, Sources};
+use shaderlint::explain::analyze;
+use shaderlint::explain::link::link;
+use shaderlint::semantic::{Completeness, Dialect, Stage, Unit};
+use shaderlint::text::{Role, Sources};
 use std::sync::Arc;
 
 /// Links two shaders and compares the errors, one per line: rule, position in the fragment or

@@ -1,7 +1,7 @@
 //! Tests of the formatter on short texts.
 
-use super::*;
-use shaderlint_text::apply_edits;
+use shaderlint::format::*;
+use shaderlint::text::apply_edits;
 
 #[track_caller]
 fn formatted(text: &str, style: &Style) -> String {

@@ -1,0 +1,5 @@
+//! Layers by what they make public: short texts in, answers out.
+
+mod editor;
+mod formatter;
+mod linking;
