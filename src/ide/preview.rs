@@ -1,6 +1,8 @@
 //! One shader of a document as a project that can be played.
 
 use super::document::Document;
+use shaderlint_detect::kind::file_extension;
+use shaderlint_engine::Analysis;
 use shaderlint_project::{Project, ShaderError};
 use shaderlint_semantic::Stage;
 
@@ -26,5 +28,18 @@ pub fn preview_project(document: &Document, shader: usize) -> Result<Project, Sh
     let name = document.path.rsplit('/').next().unwrap_or("shader");
     let title = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let host = document.options.host.preset;
-    Project::draft(title, &analysis.user_code(), host)
+    Project::draft(title, &text(document, analysis), host)
+}
+
+/// The text of a shader: the document's own, if it is all of it.
+fn text(document: &Document, analysis: &Analysis) -> String {
+    let is_own = |path: &str| path == document.path;
+    let files = document.report.sources.files().iter();
+    let mut user = files.filter(|file| document.report.sources.is_user(file.base));
+    let is_whole = user.all(|file| is_own(&file.path) && file.part.is_none());
+    let is_alone = document.report.analyses.len() == 1 && !document.report.holds_shaders();
+    match is_whole && is_alone && file_extension(&document.path) != "json" {
+        true => document.text.to_string(),
+        false => analysis.user_code(),
+    }
 }

@@ -13,7 +13,6 @@ use shaderlint_port::html;
 use shaderlint_project::{
     Composed, FileType, Files, OpenedProject, Project, add_stand_ins, channel_file, open_file,
 };
-use shaderlint_semantic::Pass;
 use std::path::Path;
 
 /// Which shader of a document is shown.
@@ -164,8 +163,7 @@ fn shown_project(
     } = draft(snapshot, document, shader)?;
     let wrong = |error: shaderlint_project::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
-    let draws = |kind: Pass| matches!(kind, Pass::Image | Pass::Cubemap | Pass::Sound);
-    if !project.passes.iter().any(|pass| draws(pass.kind)) {
+    if !project.is_shown() {
         return Err(Failure::refused(
             "the document contains no shader that can be drawn",
         ));

@@ -292,6 +292,12 @@ impl Input {
 }
 
 impl Project {
+    /// Whether it has a pass that is shown or heard.
+    pub fn is_shown(&self) -> bool {
+        let is_it = |p: &ProjectPass| matches!(p.kind, Pass::Image | Pass::Cubemap | Pass::Sound);
+        self.passes.iter().any(is_it)
+    }
+
     /// Whether a pass of a kind has this output id.
     pub fn draws(&self, kind: Pass, id: &str) -> bool {
         let mut all = self.passes.iter().filter(|p| p.kind == kind);

@@ -89,15 +89,15 @@ def test_assumed_channels_are_listed_and_written(case):
     page = client.of(image.uri, "shaderlint/page")
     channels = [(a["pass"], a["channel"], a["shows"]) for a in page["assumed"]]
     assert channels == [
-        ("image", "iChannel0", "generated texture"), ("image", "iChannel1", "generated cube map"),
-        ("buffer_a", "iChannel0", "generated texture"),
+        ("image", "iChannel0", "buffer"), ("image", "iChannel1", "generated cube map"),
+        ("buffer_a", "iChannel0", "buffer"),
     ], "the assumed channels"
     assert page["channels"] == {"uri": case.uri("channels.toml"), "exists": False}, "the file"
     client.request("workspace/executeCommand",
                    {"command": "shaderlint.writeChannels", "arguments": [image.uri]})
     client.asked_for("workspace/applyEdit")
     written = open(path_of(case.uri("channels.toml")), encoding="utf-8").read()
-    assert '\n[image]\n0 = "stand-in" # texture\n1 = "stand-in" # cubemap\n' in written, "channels.toml"
+    assert '\n[image]\n0 = "buffer_a" # buffer\n1 = "stand-in" # cubemap\n' in written, "channels.toml"
     again = client.of(image.uri, "shaderlint/page")
     assert (again["assumed"], again["channels"]["exists"]) == ([], True), "the channels after it"
     assert again["html"] == page["html"], "the page after it"

@@ -12,7 +12,6 @@ use crate::project::{
     ChannelName, Composed, GivenOrder, OpenedProject, PassRole, Project, ShaderError, SingleShader,
     add_stand_ins, channel_file, open_file, open_passes, unknown_pass,
 };
-use crate::semantic::Pass;
 use crate::text::path::slashed;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -56,8 +55,7 @@ pub(super) fn load(args: &PortArgs) -> Result<LoadedProject, String> {
         given,
         renamed,
     } = repaired(project, single.as_ref(), &name, mode)?;
-    let draws = |pass: Pass| matches!(pass, Pass::Image | Pass::Cubemap | Pass::Sound);
-    if !project.passes.iter().any(|pass| draws(pass.kind)) {
+    if !project.is_shown() {
         return Err(format!("{name}: no pass of type `image`"));
     }
     let mut carried = Carried::new(args.max_media, "; raise it with `--max-media SIZE`");
@@ -264,16 +262,12 @@ pub(in crate::cli) fn draft(path: &Path, from: Option<&str>) -> Result<OpenedPro
     let host = named_host(from)?;
     if path.is_dir() {
         let options = options_at(path, &configs)?;
-        return open_passes(
-            &[path.to_path_buf()],
-            &[],
-            options.file_access(&Disk::new()),
-        );
+        let paths = [path.to_path_buf()];
+        return open_passes(&paths, &[], options.file_access(&Disk::new()));
     }
     let mut opened = open_one(path, None, host, &configs)?;
     let name = slashed(path);
-    let composed = opened.project.resolve(&name);
-    let composed = composed.map_err(|e| format!("{name}: {e}"))?;
+    let composed = (opened.project.resolve(&name)).map_err(|e| format!("{name}: {e}"))?;
     // Most other hosts run desktop GLSL.
     if opened.project.host.is_some() && composed.has_errors() {
         let repaired = apply_repairs(&opened.project, &composed, &name, Mode::AsItIs)?;
@@ -289,16 +283,9 @@ fn open_one(
     configs: &Configs,
 ) -> Result<OpenedProject, String> {
     let name = slashed(path);
-    let read;
-    let text = match text {
-        Some(text) => text,
-        None => {
-            read = read_text(path)?;
-            &read
-        }
-    };
+    let text = text.map_or_else(|| read_text(path), |text| Ok(text.to_string()))?;
     let options = options_at(path, configs)?;
-    open_file(&name, text, host, options.file_access(&Disk::new()))
+    open_file(&name, &text, host, options.file_access(&Disk::new()))
 }
 
 /// The options for a file or for the passes in a folder.

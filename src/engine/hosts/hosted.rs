@@ -8,6 +8,7 @@ use crate::repair::repair;
 use crate::shader::input::SplitInput;
 use crate::shader::reading::{Reading, Readings};
 use crate::shader::shader_input::ShaderInput;
+use shaderlint_detect::kind::{Claim, FileKind, ShaderLanguage, decide};
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
@@ -24,6 +25,7 @@ use std::sync::Arc;
 
 /// Size limit in bytes of texts that are tested for composing hosts without being asked to.
 const MAX_COMPOSED: usize = 200_000;
+const DESKTOP: FileKind = FileKind::Foreign(ShaderLanguage::Desktop);
 
 /// Whether the user names a host for a text that looks like a ShaderToy pass.
 pub fn is_pass_of_another(text: &str, options: &Options) -> bool {
@@ -69,12 +71,12 @@ pub fn compose(
 ) -> Option<Checked> {
     let given = given_composer(options);
     let is_open = options.dialect == DialectChoice::Auto && options.host.preset.is_none();
-    // A text with `#version` needs none of them.
-    if given.is_none() && (!is_open || part.readings.has_version()) {
-        return None;
-    }
     let (text, pieces) = own_text(sources, part)?;
-    if given.is_none() && (text.len() > MAX_COMPOSED || !may_be_composed(&text)) {
+    // A text with a `#version` of WebGL needs none of them; an included one may be of desktop GLSL.
+    let is_desktop = || decide(hosts.name(), &text, Claim::None).kind == DESKTOP;
+    let is_complete = part.readings.has_version() && !is_desktop();
+    let is_candidate = is_open && !is_complete && text.len() <= MAX_COMPOSED;
+    if given.is_none() && !(is_candidate && may_be_composed(&text)) {
         return None;
     }
     let found = hosted_with_siblings(hosts.name(), &text, given, hosts.context())?;

@@ -176,7 +176,8 @@ impl<'t> Clues<'t> {
         lines.any(|line| {
             let rest = line.strip_prefix("#include").map(str::trim_start);
             let path = rest.and_then(|r| r.strip_prefix('<')?.split_once('>'));
-            path.is_some_and(|(path, _)| !is_provided(path.trim()))
+            // A chunk has no extension; a path is a file of the project.
+            path.is_some_and(|(path, _)| !is_provided(path.trim()) && !path.contains(['.', '/']))
         })
     }
 

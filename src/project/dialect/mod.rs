@@ -35,7 +35,7 @@ use complete::{completions_after, completions_of, declarations, has_images, mode
 use shaderlint_host::{
     Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
 };
-use shaderlint_semantic::{Pass, Program, Stage};
+use shaderlint_semantic::{Pass, Program, Stage, guess};
 use shaderlint_text::TextPiece;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -342,7 +342,8 @@ impl Recognised {
     }
 }
 
-fn is_player(host: &Preset) -> bool {
+/// Whether ShaderToy's player is the host.
+pub fn is_player(host: &Preset) -> bool {
     code_of(host).is_some_and(|code| code.plan.is_none())
 }
 
@@ -411,6 +412,7 @@ pub fn may_be_composed(text: &str) -> bool {
     // player.
     let has_name = |host: &Preset| host.words.iter().any(|word| text.contains(word.as_str()));
     if text.contains("mainImage")
+        && !guess(text).has_main
         && !vscode::may_have_directives(text)
         && !presets().any(|host| host.composes && calls_entry(host) && has_name(host))
     {

@@ -45,7 +45,7 @@ pub fn family(name: &str, text: &str, access: FileAccess) -> Option<Family> {
     if let Some(saver) = saver(path, is_own_pass, access) {
         return Some(saver);
     }
-    let own = role(file_name(path));
+    let own = role(&path.file_name()?.to_string_lossy());
     let may_be_common = matches!(own, Some((PassRole::Common, _)));
     if !is_own_pass && !may_be_common {
         return None;
@@ -131,10 +131,4 @@ fn pass_of(text: &str) -> Option<Pass> {
         Some(GuessedKind::ShaderToy(pass)) => Some(pass).filter(|pass| *pass != Pass::Common),
         _ => None,
     }
-}
-
-fn file_name(path: &Path) -> &str {
-    path.file_name()
-        .and_then(|name| name.to_str())
-        .unwrap_or("")
 }

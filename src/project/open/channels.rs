@@ -83,17 +83,22 @@ pub fn channel_file(place: &Path, files: &dyn Files) -> PathBuf {
     if files.entry(place) == Some(FileType::Folder) {
         return place.join(CHANNELS);
     }
-    let named = |path: &Path| role(&path.file_name()?.to_string_lossy());
-    let own = place.with_extension(CHANNELS);
-    let folder = place.parent().unwrap_or(Path::new(""));
-    let is_for_passes = || {
-        let mut names = files.names(folder).into_iter();
-        let has_image = names.any(|name| matches!(role(&name), Some((PassRole::Image, _))));
-        named(place).is_none() && has_image
+    let (own, shared) = (
+        place.with_extension(CHANNELS),
+        place.with_file_name(CHANNELS),
+    );
+    let exists = |path: &Path| files.entry(path).is_some();
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    let has_image = || {
+        let mut names = files
+            .names(place.parent().unwrap_or(Path::new("")))
+            .into_iter();
+        names.any(|name| matches!(role(&name), Some((PassRole::Image, _))))
     };
-    match files.entry(&own).is_some() || is_for_passes() {
-        true => own,
-        false => place.with_file_name(CHANNELS),
+    let is_shared = || role(&name).is_some() || exists(&shared) && !has_image();
+    match !exists(&own) && is_shared() {
+        true => shared,
+        false => own,
     }
 }
 
@@ -213,18 +218,15 @@ mod tests {
 
     #[test]
     fn shaders_in_a_folder_of_passes_have_their_own_channel_files() {
-        let alone = files(&[("/d/ocean.glsl", "")]);
-        let file = |name: &str, files| channel_file(&Path::new("/d").join(name), files);
-        assert_eq!(file("ocean.glsl", &alone), Path::new("/d/channels.toml"));
+        let file = |name: &str, all: &dyn Files| channel_file(&Path::new("/d").join(name), all);
+        let own = PathBuf::from("/d/ocean.channels.toml");
+        assert_eq!(file("ocean.glsl", &files(&[("/d/ocean.glsl", "")])), own);
+        let shared = files(&[("/d/ocean.glsl", ""), ("/d/channels.toml", "")]);
+        assert_eq!(file("ocean.glsl", &shared), Path::new("/d/channels.toml"));
         let passes = files(&[("/d/ocean.glsl", ""), ("/d/image.glsl", "")]);
-        assert_eq!(
-            file("ocean.glsl", &passes),
-            Path::new("/d/ocean.channels.toml")
-        );
-        assert_eq!(
-            file("buffer_a.glsl", &passes),
-            Path::new("/d/channels.toml")
-        );
+        assert_eq!(file("ocean.glsl", &passes), own);
+        let of_passes = file("buffer_a.glsl", &passes);
+        assert_eq!(of_passes, Path::new("/d/channels.toml"));
     }
 
     #[test]

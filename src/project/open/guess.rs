@@ -21,11 +21,9 @@ impl Project {
         }
         if ids.len() > 1 {
             let unread: Vec<_> = ids.iter().map(|(name, _)| format!("`{name}`")).collect();
-            let first = ids.first().map_or("", |(name, _)| name);
-            self.notes.push(format!(
-                "no pass reads {}; connect buffers with `--channel image.0={first}`, or in `channels.toml`",
-                unread.join(", ")
-            ));
+            let unread = unread.join(", ");
+            let how = "connect buffers with `--channel image.0=buffer_a`, or in `channels.toml`";
+            self.notes.push(format!("no pass reads {unread}; {how}"));
             return;
         }
         let Some((name, id)) = ids.into_iter().next() else {

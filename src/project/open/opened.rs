@@ -91,13 +91,10 @@ impl SingleShader {
     /// If the text shows that it cannot be ported.
     pub fn draft(&self, text: &str) -> Result<Project, ShaderError> {
         let is_similar = text.lines().count() == self.text.text.lines().count();
-        let text = GatheredText {
-            pieces: match is_similar {
-                true => self.text.pieces.clone(),
-                false => Vec::new(),
-            },
-            ..GatheredText::of(text)
-        };
+        let mut text = GatheredText::of(text);
+        if is_similar {
+            text.pieces.clone_from(&self.text.pieces);
+        }
         Project::draft_with_siblings(&self.title, &text, self.host, &self.siblings)
     }
 }

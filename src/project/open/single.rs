@@ -4,6 +4,7 @@ use super::accept::{held, reject_other_languages, title};
 use super::opened::{OpenedProject, SingleShader};
 use super::passes::open_family;
 use crate::access::FileAccess;
+use crate::dialect::is_player;
 use crate::files::family::family;
 use crate::include::gathered::{GatheredText, gather};
 use crate::{Project, ShaderError, SiblingTexts};
@@ -40,19 +41,22 @@ pub fn open_file(
         return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
     let held = held(name, text).map_err(wrong)?;
-    let text = held.as_ref().map_or(text, |held| &held.code);
-    if host.or(access.host).is_none()
-        && let Some(family) = family(name, text, access)
-    {
-        return open_family(name, text, &family, access);
-    }
-    let unversioned = without_version(text);
-    let text = unversioned.as_deref().unwrap_or(text);
+    let own = held.as_ref().map_or(text, |held| &held.code);
+    let unversioned = without_version(own);
+    let own = unversioned.as_deref().unwrap_or(own);
     let text = match is_description {
-        true => GatheredText::of(text),
-        false => gather(name, text, None, access)
+        true => GatheredText::of(own),
+        false => gather(name, own, None, access)
             .ok_or_else(|| wrong(ShaderError::TooLarge.to_string()))?,
     };
+    // What it includes may bring a `main` for another host.
+    let host = host.or(access.host);
+    if unversioned.is_none()
+        && host.is_none_or(is_player)
+        && let Some(family) = family(name, &text.text, access)
+    {
+        return open_family(name, own, &family, access);
+    }
     let text = match &held {
         Some(held) => text.from_line(held.line),
         None => text,
@@ -63,7 +67,7 @@ pub fn open_file(
             "-" => String::new(),
             name => title(Path::new(name)),
         },
-        host: host.or(access.host),
+        host,
         siblings: SiblingTexts::new(),
     };
     loop {
@@ -102,12 +106,9 @@ fn drafted_alone(
 
 /// A pass of ShaderToy that starts with a `#version`, without it: the player writes its own.
 fn without_version(text: &str) -> Option<String> {
+    let without = text.replacen("#version", "//#version", 1);
     let is_pass = |text: &str| matches!(guess(text).kind, Some(GuessedKind::ShaderToy(_)));
-    let at = text
-        .find("#version")
-        .filter(|_| text.contains("mainImage"))?;
-    let without = format!("{}//{}", text.get(..at)?, text.get(at..)?);
-    (!is_pass(text) && is_pass(&without)).then_some(without)
+    (without != text && !is_pass(text) && is_pass(&without)).then_some(without)
 }
 
 /// Reads the companion files that a text asks for and that have not been read. Paths are relative
