@@ -24,6 +24,8 @@ pub struct Project {
     pub controls: Vec<UniformControl>,
     /// The pass whose file was opened, if others were found beside it.
     pub opened: Option<PassRole>,
+    /// Whether a file beside it says what its channels read, so that nothing is guessed.
+    pub is_connected: bool,
     /// Notes about how the input was interpreted.
     pub notes: Vec<String>,
     /// Companion files that have not been read yet, by their paths relative to the project's

@@ -44,11 +44,11 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     if let Some(args) = gallery::gallery_of(args)? {
         return gallery::run(&args);
     }
-    if let Some(message) = absent(&args.input) {
-        return Err(message);
-    }
     if args.watch || args.serve.is_some() {
         return watch::run(args);
+    }
+    if let Some(message) = absent(&args.input) {
+        return Err(message);
     }
     let made = build_output(args, None)?;
     if args.is_saved() {

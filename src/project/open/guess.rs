@@ -8,17 +8,16 @@ impl Project {
     /// the Image reads, and on that of the buffer itself: so it is in most exports. A note says so.
     /// Several buffers that no pass reads are named.
     pub(super) fn guess_buffers(&mut self) {
-        let is_of_files = !self.is_export && self.passes.iter().all(|pass| pass.file.is_some());
+        let is_of_files = self.passes.iter().all(|pass| pass.file.is_some());
+        let mut inputs = self.passes.iter().flat_map(|pass| &pass.inputs);
+        let is_read = inputs.any(|input| input.kind == InputKind::Buffer);
+        if !is_of_files || self.is_connected || is_read {
+            return;
+        }
         let buffers = self.passes.iter().filter(|pass| pass.kind == Pass::Buffer);
         let ids: Vec<(&'static str, String)> = buffers
             .filter_map(|pass| Some((pass.slug(), pass.output.clone()?.0)))
             .collect();
-        let inputs = || self.passes.iter().flat_map(|pass| &pass.inputs);
-        let is_read =
-            |id: &str| inputs().any(|input| input.kind == InputKind::Buffer && input.id == id);
-        if !is_of_files || ids.iter().any(|(_, id)| is_read(id)) {
-            return;
-        }
         if ids.len() > 1 {
             let unread: Vec<_> = ids.iter().map(|(name, _)| format!("`{name}`")).collect();
             let unread = unread.join(", ");

@@ -40,9 +40,9 @@ impl OpenedProject {
         access: FileAccess,
     ) -> Result<OpenedProject, String> {
         let file = channel_file(place, access.files);
-        let orders = orders_of(&file, access.files)?;
-        if !orders.is_empty() {
-            self.orders = orders;
+        if access.files.entry(&file).is_some() {
+            self.orders = orders_of(&file, access.files)?;
+            self.project.is_connected = true;
             self.read.push(file);
         }
         self.place = Some(place.to_path_buf());
