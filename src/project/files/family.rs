@@ -54,9 +54,10 @@ pub fn family(name: &str, text: &str, access: FileAccess) -> Option<Family> {
     let stem = path.file_stem()?.to_string_lossy().to_lowercase();
     let prefix = own.map_or(stem, |(_, prefix)| prefix);
     let is_image = |path: &Path| access.pass(path).is_some();
-    let found = passes.project(&prefix, is_image);
+    let mut passes = passes.project(&prefix, is_image);
+    passes.retain(|(role, path)| access.may_be(*role, path));
     let family = Family {
-        passes: found,
+        passes,
         is_saver: false,
     };
     let own = family.role(path)?;
@@ -118,6 +119,12 @@ pub fn is_common(name: &str, text: &str, access: FileAccess) -> bool {
 }
 
 impl FileAccess<'_> {
+    /// Whether a file may be a pass: a name alone does not make a cube map or a sound.
+    pub fn may_be(&self, role: PassRole, path: &Path) -> bool {
+        let needs_entry = matches!(role.kind(), Pass::Cubemap | Pass::Sound);
+        !needs_entry || self.pass(path) == Some(role.kind())
+    }
+
     /// The pass that a file has the entry point of.
     pub fn pass(&self, path: &Path) -> Option<Pass> {
         let text = self.files.load(path).ok();

@@ -354,7 +354,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
 
     fn miss(&mut self, span: Span, path: &str, absent: Absent) {
         self.found.is_open = true;
-        // A path that may belong to the host or to a bundler is no mistake by itself.
+        // A path may also belong to the host or to a bundler.
         if let Some(similar) = &absent.similar {
             let message = format!("`{path}` is not found");
             let problem = Diagnostic::of(error::BAD_DIRECTIVE, Severity::Warning, span, message);

@@ -10,7 +10,6 @@ use crate::files::family::Family;
 use crate::include::gathered::{GatheredText, gather};
 use crate::input::parts::saver_roles;
 use crate::{ChannelSource, PassFile, PassRole, Project};
-use shaderlint_semantic::Pass;
 use shaderlint_text::path::slashed;
 use std::path::{Path, PathBuf};
 
@@ -214,21 +213,14 @@ pub fn folder_passes(
     if let Some(image) = images.find(|(_, path)| named_there(path)) {
         return Ok(vec![image.clone()]);
     }
-    // A name alone does not make a cube map or a sound.
-    found.retain(|(role, path)| match role.kind() {
-        Pass::Cubemap | Pass::Sound => access.pass(path) == Some(role.kind()),
-        _ => true,
-    });
+    found.retain(|(role, path)| access.may_be(*role, path));
     let root = access.files.real(folder).unwrap_or_default();
     for (role, path) in &found {
         let real = access.files.real(path);
         if real.is_some_and(|real| !real.starts_with(&root)) {
-            return Err(format!(
-                "{} is outside of {}; pass it with `--pass {}=FILE`",
-                slashed(path),
-                slashed(folder),
-                role.name()
-            ));
+            let (file, folder, pass) = (slashed(path), slashed(folder), role.name());
+            let help = format!("pass it with `--pass {pass}=FILE`");
+            return Err(format!("{file} is outside of {folder}; {help}"));
         }
     }
     Ok(found)
