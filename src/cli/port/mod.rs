@@ -44,11 +44,12 @@ fn port(args: &PortArgs) -> Result<u8, String> {
     if let Some(args) = gallery::gallery_of(args)? {
         return gallery::run(&args);
     }
-    if args.watch || args.serve.is_some() {
-        return watch::run(args);
-    }
-    if let Some(message) = absent(&args.input) {
+    let waits = args.watch || args.serve.is_some(); // for a file that comes later
+    if let Some(message) = absent(&args.input).filter(|_| !waits || args.input.len() > 1) {
         return Err(message);
+    }
+    if waits {
+        return watch::run(args);
     }
     let made = build_output(args, None)?;
     if args.is_saved() {
