@@ -208,16 +208,10 @@ fn follow_repairs(orders: &mut [GivenOrder], renamed: &[(String, String)]) {
 pub(super) fn named_files(args: &PortArgs) -> Vec<PathBuf> {
     let passes = args.pass.iter().filter_map(|text| text.split_once('='));
     let passes = passes.map(|(_, path)| PathBuf::from(path));
-    let orders = args
-        .input
-        .first()
-        .map(|path| channel_file(path, &Disk::new()));
-    args.input
-        .iter()
-        .cloned()
-        .chain(passes)
-        .chain(orders)
-        .collect()
+    let disk = Disk::new();
+    let orders = args.input.first().map(|path| channel_file(path, &disk));
+    let input = args.input.iter().cloned();
+    input.chain(passes).chain(orders).collect()
 }
 
 /// Largest media file for a project that is not written, in bytes.
@@ -266,10 +260,13 @@ pub(in crate::cli) fn draft(path: &Path, from: Option<&str>) -> Result<OpenedPro
         return open_passes(&paths, &[], options.file_access(&Disk::new()));
     }
     let mut opened = open_one(path, None, host, &configs)?;
+    if opened.project.host.is_none() {
+        return Ok(opened);
+    }
+    // Most other hosts run desktop GLSL.
     let name = slashed(path);
     let composed = (opened.project.resolve(&name)).map_err(|e| format!("{name}: {e}"))?;
-    // Most other hosts run desktop GLSL.
-    if opened.project.host.is_some() && composed.has_errors() {
+    if composed.has_errors() {
         let repaired = apply_repairs(&opened.project, &composed, &name, Mode::AsItIs)?;
         opened.project = repaired.map_or(opened.project, |(fixed, ..)| fixed);
     }
