@@ -248,6 +248,29 @@ const ROWS: &[Row] = &[
         call: ("src/a.frag", 3),
     },
     Row {
+        name: "a pass of ShaderToy between the headers of a fragment program of Flutter",
+        files: &[
+            (
+                "lib/head.frag",
+                "#version 460 core\n#include <flutter/runtime_effect.glsl>\n\
+                 uniform vec2 iResolution;\nout vec4 fragColor;\n\
+                 float glow(float x) { return sin(x); }\n",
+            ),
+            (
+                "lib/main.frag",
+                "void main() { mainImage(fragColor, FlutterFragCoord().xy); }\n",
+            ),
+            (
+                "src/a.frag",
+                "#include <../lib/head.frag>\n\
+                 void mainImage(out vec4 c, in vec2 p) {\n    \
+                 c = vec4(glow(p.x / iResolution.x));\n}\n#include <../lib/main.frag>\n",
+            ),
+        ],
+        open: "src/a.frag",
+        call: ("src/a.frag", 3),
+    },
+    Row {
         name: "a shader in a configuration of niri, indented",
         files: &[(
             "a.kdl",

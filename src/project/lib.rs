@@ -26,8 +26,8 @@ pub use compose::{Composed, PassUnit, compose};
 pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use dialect::{
     Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
-    UniformData, VaryingValue, best, bind, bindings, calls_entry, declared_control, hosted,
-    may_be_composed, plan, recognise,
+    UniformData, VaryingValue, asks_for_desktop, best, bind, bindings, calls_entry,
+    declared_control, hosted, may_be_composed, plan, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use files::family::{Family, common_of, family, is_common};

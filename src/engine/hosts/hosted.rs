@@ -8,13 +8,12 @@ use crate::repair::repair;
 use crate::shader::input::SplitInput;
 use crate::shader::reading::{Reading, Readings};
 use crate::shader::shader_input::ShaderInput;
-use shaderlint_detect::kind::{Claim, FileKind, ShaderLanguage, decide};
 use shaderlint_diagnostic::{Applicability, Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_project::{
-    Clues, Hosted, Project, SiblingTexts, TextChange, calls_entry, hosted, may_be_composed,
-    read_siblings,
+    Clues, Hosted, Project, SiblingTexts, TextChange, asks_for_desktop, calls_entry, hosted,
+    may_be_composed, read_siblings,
 };
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{Dialect, Stage, guess};
@@ -25,7 +24,6 @@ use std::sync::Arc;
 
 /// Size limit in bytes of texts that are tested for composing hosts without being asked to.
 const MAX_COMPOSED: usize = 200_000;
-const DESKTOP: FileKind = FileKind::Foreign(ShaderLanguage::Desktop);
 
 /// Whether the user names a host for a text that looks like a ShaderToy pass.
 pub fn is_pass_of_another(text: &str, options: &Options) -> bool {
@@ -73,8 +71,7 @@ pub fn compose(
     let is_open = options.dialect == DialectChoice::Auto && options.host.preset.is_none();
     let (text, pieces) = own_text(sources, part)?;
     // A text with a `#version` of WebGL needs none of them; an included one may be of desktop GLSL.
-    let is_desktop = || decide(hosts.name(), &text, Claim::None).kind == DESKTOP;
-    let is_complete = part.readings.has_version() && !is_desktop();
+    let is_complete = part.readings.has_version() && !asks_for_desktop(&text);
     let is_candidate = is_open && !is_complete && text.len() <= MAX_COMPOSED;
     if given.is_none() && !(is_candidate && may_be_composed(&text)) {
         return None;

@@ -250,6 +250,11 @@ struct TextWords<'t> {
     asked: VersionAsked,
 }
 
+/// The version in the `#version` of a text.
+pub(super) fn version_of(text: &str) -> VersionAsked {
+    words(text).asked
+}
+
 fn words(text: &str) -> TextWords<'_> {
     let mut lexer = Lexer::new(text, 0);
     let mut found = TextWords::default();

@@ -413,6 +413,7 @@ pub fn may_be_composed(text: &str) -> bool {
     let has_name = |host: &Preset| host.words.iter().any(|word| text.contains(word.as_str()));
     if text.contains("mainImage")
         && !guess(text).has_main
+        && !asks_for_desktop(text)
         && !vscode::may_have_directives(text)
         && !presets().any(|host| host.composes && calls_entry(host) && has_name(host))
     {
@@ -447,6 +448,11 @@ pub fn hosted(clues: &Clues, given: Option<&'static Preset>) -> Option<Hosted> {
         completion,
         requested: plan.requested,
     })
+}
+
+/// Whether the `#version` of a text asks for desktop GLSL.
+pub fn asks_for_desktop(text: &str) -> bool {
+    matches!(clues::version_of(text), VersionAsked::Desktop(_))
 }
 
 /// Whether a text says itself what its channels read, as VS Code Shader Toy has it.
