@@ -1,8 +1,8 @@
 //! White space before the `#version` of a shader: scripts may trim the text before they compile it.
 
 use crate::check_context::CheckContext;
-use crate::hosts::host::imports;
 use shaderlint_detect::embed::{Embedder, LeadingBlanks};
+use shaderlint_project::imports;
 use shaderlint_text::path::plain;
 use std::path::Path;
 

@@ -3,7 +3,8 @@
 use super::SiblingTexts;
 use super::complete::{Completion, completions_of};
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_host::is_provided;
+use shaderlint_diagnostic::Lack;
+use shaderlint_host::{Preset, is_provided};
 use shaderlint_semantic::{Guess, Program, Storage, guess};
 use shaderlint_syntax::{Lexer, RawKind};
 use shaderlint_text::Role;
@@ -51,6 +52,8 @@ pub struct Clues<'t> {
     pub name: &'t str,
     /// The companion files that have been read.
     pub siblings: &'t SiblingTexts,
+    /// The hosts of the program around the text, likeliest first.
+    pub around: &'t [&'static Preset],
     /// The version in the `#version` of the text.
     pub asked: VersionAsked,
     /// Version and kind, guessed from the words of the text.
@@ -66,6 +69,8 @@ pub struct Clues<'t> {
     declared: FxHashSet<String>,
     /// The names among these that are declared outside of functions.
     outer: FxHashSet<String>,
+    /// The names that are not declared where they are used.
+    lacking: FxHashSet<String>,
 }
 
 impl<'t> Clues<'t> {
@@ -93,8 +98,17 @@ impl<'t> Clues<'t> {
         });
         if let Some(checked) = completion.as_ref().and_then(Completion::check) {
             clues.read(&checked.program);
+            let lacking = checked.diagnostics.iter();
+            let lacking = lacking.filter(|d| d.lacks() == Some(Lack::Name));
+            let sources = &checked.program.sources;
+            clues.lacking = lacking.map(|d| sources.text(d.span).to_string()).collect();
         }
         clues
+    }
+
+    /// These properties, with the hosts of the program around the text.
+    pub fn among(self, around: &'t [&'static Preset]) -> Clues<'t> {
+        Clues { around, ..self }
     }
 
     /// The properties that follow from the words of a text alone.
@@ -105,6 +119,7 @@ impl<'t> Clues<'t> {
             text,
             name,
             siblings,
+            around: &[],
             asked,
             is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains_key("mainImage"),
             guess,
@@ -114,6 +129,7 @@ impl<'t> Clues<'t> {
             words,
             declared: FxHashSet::default(),
             outer: FxHashSet::default(),
+            lacking: FxHashSet::default(),
         }
     }
 
@@ -214,6 +230,11 @@ impl<'t> Clues<'t> {
     /// Whether the text uses a name without declaring it.
     pub fn is_free(&self, name: &str) -> bool {
         self.has_word(name) && !self.declares(name)
+    }
+
+    /// Whether a use of the name in the text lacks a declaration.
+    pub fn is_lacking(&self, name: &str) -> bool {
+        self.lacking.contains(name)
     }
 
     /// The undeclared words of the text that satisfy a predicate.

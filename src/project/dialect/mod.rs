@@ -5,6 +5,7 @@
 //! contains further evidence for the host and the text that it adds. Texts are never reformatted: a
 //! host only adds text before and after.
 
+mod around;
 mod bind;
 mod bookofshaders;
 mod clues;
@@ -20,6 +21,7 @@ mod vertex;
 mod vertexshaderart;
 mod vscode;
 
+pub use around::{imported_hosts, imports, installed_hosts};
 pub use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 use clues::VersionAsked;
@@ -33,7 +35,7 @@ pub use vertex::VaryingValue;
 use super::{GatheredText, Input, InputKind, OutputId, PassDraw, SamplerSettings, UniformControl};
 use complete::{completions_after, completions_of, declarations, has_images, modern, without_own};
 use shaderlint_host::{
-    Feed, HostVersion, OWN, Preset, TextSign, is_named, is_one_name, preset, presets,
+    Feed, HostVersion, OWN, Preset, TextSign, declared_in, is_named, is_one_name, preset, presets,
 };
 use shaderlint_semantic::{Pass, Program, Stage, guess};
 use shaderlint_text::TextPiece;
@@ -364,7 +366,13 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
     found.sort_by_key(|(weight, host, _)| (std::cmp::Reverse(*weight), is_player(host)));
     let mut found = found.into_iter();
     let Some((weight, host, signs)) = found.next() else {
-        return preset("webgl").map(Recognised::given);
+        let around = || {
+            clues
+                .around
+                .iter()
+                .find_map(|host| shown_around(host, clues))
+        };
+        return around().or_else(|| preset("webgl").map(Recognised::given));
     };
     // A syntax that only one host has decides.
     let has_form = |signs: &[Sign]| signs.iter().any(|sign| sign.is_form);
@@ -376,6 +384,22 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
         host,
         signs,
         tied: tied.map(|(_, host, _)| host),
+    })
+}
+
+/// A host of the program around a text as its host, if the text uses a name that the host declares
+/// and that no other evidence explains.
+fn shown_around(host: &'static Preset, clues: &Clues) -> Option<Recognised> {
+    let declared = host.declarations(false);
+    let mut names = declared.lines().filter_map(declared_in);
+    let name = names.find(|name| clues.is_lacking(name))?;
+    let package = host.packages.first();
+    let mut signs = vec![Sign::new(format!("`{name}`"), OWN)];
+    signs.extend(package.map(|package| Sign::new(format!("the package `{package}`"), 0)));
+    Some(Recognised {
+        host,
+        signs,
+        tied: None,
     })
 }
 
@@ -519,9 +543,14 @@ fn signs(host: &Preset, clues: &Clues) -> Vec<Sign> {
         let first = sign.words.first().map_or("", String::as_str);
         Sign::new(format!("`{first}`"), sign.weight)
     }));
-    if host.composes {
-        let words = clues.free_words(|word| host.has_word(word)).into_iter();
-        found.extend(words.map(|w| Sign::form(format!("`{w}`"), OWN)));
+    let words = clues.free_words(|word| host.has_word(word)).into_iter();
+    match host.composes {
+        true => found.extend(words.map(|w| Sign::form(format!("`{w}`"), OWN))),
+        false if is_player(host) => {}
+        false => {
+            let words = words.filter(|w| clues.is_lacking(w));
+            found.extend(words.map(|w| Sign::new(format!("`{w}`"), OWN)));
+        }
     }
     let declares = host.declares();
     let shows = |name: &str, types: &dyn Fn(&str) -> bool| {

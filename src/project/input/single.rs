@@ -53,18 +53,19 @@ impl Project {
         code: &str,
         host: Option<&'static Preset>,
     ) -> Result<Project, ShaderError> {
-        Project::draft_with_siblings(title, &GatheredText::of(code), host, &SiblingTexts::new())
+        let nothing = SiblingTexts::new();
+        Project::draft_with_siblings(title, &GatheredText::of(code), (host, &[]), &nothing)
     }
 
-    /// Like [`Project::draft`], for a text with companion files. Those that have not been read yet
-    /// are in [`Project::wanted`].
+    /// Like [`Project::draft`], for a text with companion files, in a program with hosts `around`.
+    /// Files that have not been read yet are in [`Project::requested`].
     ///
     /// # Errors
     /// If its text shows that the page cannot show it.
     pub fn draft_with_siblings(
         title: &str,
         own: &GatheredText,
-        host: Option<&'static Preset>,
+        (host, around): (Option<&'static Preset>, &[&'static Preset]),
         siblings: &SiblingTexts,
     ) -> Result<Project, ShaderError> {
         let code = &*own.text;
@@ -73,7 +74,7 @@ impl Project {
             Some(GuessedKind::ShaderToy(kind)) => Some(kind),
             _ => None,
         };
-        let clues = Clues::with_siblings(code, title, siblings);
+        let clues = Clues::with_siblings(code, title, siblings).among(around);
         let recognised = host.map(Recognised::given).or_else(|| recognise(&clues));
         let recognised = recognised.ok_or(ShaderError::NoEntry)?;
         let framed = || Some(Plan::image(vec![dialect::framed(code, "")?]));

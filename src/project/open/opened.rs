@@ -81,6 +81,8 @@ pub struct SingleShader {
     pub text: GatheredText,
     pub(super) title: String,
     pub(super) host: Option<&'static Preset>,
+    /// The hosts of the program around it.
+    pub(super) around: Vec<&'static Preset>,
     pub(super) siblings: SiblingTexts,
 }
 
@@ -95,6 +97,11 @@ impl SingleShader {
         if is_similar {
             text.pieces.clone_from(&self.text.pieces);
         }
-        Project::draft_with_siblings(&self.title, &text, self.host, &self.siblings)
+        Project::draft_with_siblings(
+            &self.title,
+            &text,
+            (self.host, &self.around),
+            &self.siblings,
+        )
     }
 }

@@ -4,7 +4,7 @@ use super::accept::{held, reject_other_languages, title};
 use super::opened::{OpenedProject, SingleShader};
 use super::passes::open_family;
 use crate::access::FileAccess;
-use crate::dialect::is_player;
+use crate::dialect::{imported_hosts, installed_hosts, is_player};
 use crate::files::family::family;
 use crate::include::gathered::{GatheredText, gather};
 use crate::{Project, ShaderError, SiblingTexts};
@@ -41,6 +41,7 @@ pub fn open_file(
         return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
     let held = held(name, text).map_err(wrong)?;
+    let script = held.as_ref().map_or("", |_| text);
     let own = held.as_ref().map_or(text, |held| &held.code);
     let unversioned = without_version(own);
     let own = unversioned.as_deref().unwrap_or(own);
@@ -68,13 +69,14 @@ pub fn open_file(
             name => title(Path::new(name)),
         },
         host,
+        around: hosts_around(name, script, access),
         siblings: SiblingTexts::new(),
     };
     loop {
         let drafted = Project::draft_with_siblings(
             &single.title,
             &single.text,
-            single.host,
+            (single.host, &single.around),
             &single.siblings,
         );
         let project = drafted.map_err(|e| wrong(e.to_string()))?;
@@ -84,6 +86,15 @@ pub fn open_file(
             return Ok(draft);
         }
     }
+}
+
+/// The hosts of the program around a text: those that the script imports, then those of the project.
+fn hosts_around(name: &str, script: &str, access: FileAccess) -> Vec<&'static Preset> {
+    let imported = imported_hosts(script);
+    let is_new = |host: &&Preset| !imported.iter().any(|known| known.name == host.name);
+    let installed = installed_hosts(name, access).into_iter().filter(is_new);
+    let installed: Vec<_> = installed.collect();
+    [imported, installed].concat()
 }
 
 fn drafted_alone(
