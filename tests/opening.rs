@@ -450,6 +450,78 @@ fn every_front_opens_the_same_project() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
+#[test]
+fn uses_and_errors_of_a_file_are_those_of_its_project() {
+    let mut wrong = Vec::new();
+    for row in ROWS.iter().filter(|row| !row.is_folder()) {
+        let scratch = row.scratch(false);
+        let (file, line) = row.call;
+        let uses = scratch.run(&["references", file, "glow"]);
+        if !uses.out.contains(&format!("{file}:{line}:")) {
+            wrong.push(format!(
+                "{}: references: {}{}",
+                row.name, uses.out, uses.err
+            ));
+        }
+        let reduced = scratch.run(&["reduce", row.open]);
+        if !reduced.err.contains("no errors to keep") {
+            wrong.push(format!(
+                "{}: reduce: {}{}",
+                row.name, reduced.out, reduced.err
+            ));
+        }
+        let ir = scratch.run(&["ir", row.open]);
+        if !ir.out.contains("glow") {
+            wrong.push(format!("{}: ir: {}{}", row.name, ir.out, ir.err));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+#[test]
+fn every_command_reports_the_same_of_a_project() {
+    let scratch = Scratch::new(&[
+        ("common.glsl", GLOW),
+        (
+            "lib/half.glsl",
+            "float half_of(float x) { return 0.5 * x; }\n",
+        ),
+        ("image.glsl", SHOWS),
+        (
+            "buffer_a.glsl",
+            concat!(
+                "#include \"lib/half.glsl\"\n",
+                "void mainImage(out vec4 c, in vec2 p) { c = vec4(half_of(glow(p.x))); }\n"
+            ),
+        ),
+    ]);
+    let expected = [
+        "passes: image (image.glsl), common (common.glsl), buffer_a (buffer_a.glsl)",
+        "also read: lib/half.glsl",
+        "image.0 = buffer_a (the only buffer)",
+    ];
+    let asked: &[&[&str]] = &[
+        &["-v", "image.glsl"],
+        &["-v", "--fix", "image.glsl"],
+        &["fmt", "-v", "--check", "image.glsl"],
+        &["run", "-v", "image.glsl", "--size", "16x9"],
+        &["test", "-v", "image.glsl"],
+        &["reduce", "-v", "image.glsl"],
+        &["references", "-v", "image.glsl", "mainImage"],
+    ];
+    let mut all: Vec<(String, String)> = Vec::new();
+    for args in asked {
+        all.push((args.join(" "), scratch.run(args).err));
+    }
+    let ported = ported(&scratch, "-v image.glsl -o a.html");
+    all.push(("shaderport".to_string(), ported.err));
+    for (command, said) in all {
+        let says = |line: &&str| said.lines().any(|l| l.ends_with(*line));
+        let missing = expected.iter().find(|line| !says(line));
+        assert_eq!(missing, None, "{command}: {said}");
+    }
+}
+
 /// How a front writes a place. A preview is of the document, and names only the line.
 fn place(front: &str, file: &str, line: u32) -> String {
     match front {

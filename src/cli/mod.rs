@@ -12,6 +12,7 @@ mod config;
 mod dap;
 mod disk;
 mod dispatch;
+mod evidence;
 mod fmt;
 #[cfg(any(feature = "dap", feature = "lsp"))]
 mod framing;

@@ -107,7 +107,7 @@ pub fn check(
         false => Offer::default(),
     };
     let mut scope = scope_of(&report);
-    scope.read_as = recognition.map(|how| reading(name, &report, options, how));
+    scope.read_as = recognition.map(|how| reading(name, &report, (options, files), how));
     CheckedText {
         report,
         scope,

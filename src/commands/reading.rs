@@ -3,10 +3,9 @@
 use shaderlint_engine::{Completeness, Options, Report, Shader};
 use shaderlint_host::shadertoy;
 use shaderlint_lint::SkippedRules;
-use shaderlint_project::{Clues, Recognised, SiblingTexts, recognise};
+use shaderlint_project::{Files, Recognised, open_file};
 use shaderlint_report::ReadAs;
 use shaderlint_semantic::Stage;
-use std::path::Path;
 
 /// Maximum number of names listed for one shader.
 const MAX_NAMES: usize = 20;
@@ -23,7 +22,12 @@ pub enum Recognition {
 }
 
 /// How one file was interpreted.
-pub fn reading(name: &str, report: &Report, options: &Options, recognition: Recognition) -> ReadAs {
+pub fn reading(
+    name: &str,
+    report: &Report,
+    (options, files): (&Options, &dyn Files),
+    recognition: Recognition,
+) -> ReadAs {
     let shaders = match report.shaders.as_slice() {
         [] => match report.language {
             Some(language) => format!("not checked: {}", language.shader()),
@@ -51,7 +55,9 @@ pub fn reading(name: &str, report: &Report, options: &Options, recognition: Reco
         Recognition::WhereComposed => report.shaders.iter().any(|s| s.host.is_some()),
         Recognition::Never => false,
     };
-    let shown = is_asked.then(|| recognised(name, report)).flatten();
+    let shown = is_asked
+        .then(|| recognised(name, report, options, files))
+        .flatten();
     let read_as = match &shown {
         Some(found) => format!("{}: {shaders}", found.title_and_signs()),
         None => shaders,
@@ -73,17 +79,20 @@ pub fn reading(name: &str, report: &Report, options: &Options, recognition: Reco
     }
 }
 
-/// The host of a shader file and the signs that show it, as `shaderport` detects it. `None` for
-/// ShaderToy shaders, which are described by their passes.
-fn recognised(name: &str, report: &Report) -> Option<Recognised> {
+/// The host of a shader file and the signs that show it. `None` for ShaderToy shaders, which are
+/// described by their passes.
+fn recognised(
+    name: &str,
+    report: &Report,
+    options: &Options,
+    files: &dyn Files,
+) -> Option<Recognised> {
     let file = report.file.and_then(|id| report.sources.file(id))?;
     if report.holds_shaders() || report.shaders.is_empty() {
         return None;
     }
-    let title = Path::new(name).file_stem()?.to_string_lossy();
-    let nothing = SiblingTexts::new();
-    let found = recognise(&Clues::with_siblings(&file.text, &title, &nothing))?;
-    (!found.signs.is_empty() && !found.is_player()).then_some(found)
+    let opened = open_file(name, &file.text, None, options.file_access(files)).ok()?;
+    opened.project.recognised.filter(|found| !found.is_player())
 }
 
 /// How one shader was interpreted, and where rules were skipped.

@@ -1,6 +1,6 @@
 //! ShaderToy projects: passes and the inputs of their channels.
 
-use super::{Bindings, Completion, PassDraw, PassRole, StandIn, UniformControl};
+use super::{Bindings, Completion, PassDraw, PassRole, Recognised, StandIn, UniformControl};
 use shaderlint_host::Preset;
 use shaderlint_semantic::{Channels, Pass, Sampler, Stage};
 use shaderlint_text::TextPiece;
@@ -16,6 +16,9 @@ pub struct Project {
     /// Whether it comes from an export, so that ShaderToy's licence terms apply and passes have
     /// names.
     pub is_export: bool,
+    /// The detected host and the evidence for it; `None` for passes of ShaderToy's player, or if the
+    /// user names the host.
+    pub recognised: Option<Recognised>,
     /// The host of its complete shaders.
     pub host: Option<&'static Preset>,
     /// The number of controls that the text itself describes; they come first.

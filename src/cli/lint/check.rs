@@ -185,7 +185,8 @@ impl FindingPrinter<'_> {
             }
         };
         if self.talk == Talk::Verbose {
-            self.print_message(&verbose::read(input, &checked.report, self.configs))?;
+            self.reporter.flush()?;
+            verbose::read(input, &checked.report, self.configs);
         }
         if let Some(language) = checked.report.language
             && checked.report.counted_infos > 0

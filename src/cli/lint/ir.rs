@@ -1,9 +1,11 @@
 //! `ir`: prints the IR of a shader, for work on the analyses.
 
 use super::super::command::{CLEAN, FAILED, complain};
-use crate::engine::{Options, analyze};
+use super::super::config::configs;
+use super::super::disk::Disk;
+use crate::engine::analyze;
+use crate::engine::config::ConfigArgs;
 use crate::ir::{print, verify};
-use crate::project::NoFiles;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
@@ -12,7 +14,9 @@ use std::path::Path;
 pub fn run(file: &Path) -> io::Result<u8> {
     let name = file.display().to_string();
     let text = fs::read_to_string(file).map_err(|e| io::Error::other(format!("{name}: {e}")))?;
-    let report = analyze(&name, &text, &Options::default(), &NoFiles);
+    let options = configs(ConfigArgs::default()).options(file);
+    let options = options.map_err(|e| io::Error::other(e.to_string()))?;
+    let report = analyze(&name, &text, &options, &Disk::new());
     if let Some(unread) = report.unread {
         complain(&format!("{name}: {unread}"));
         return Ok(FAILED);

@@ -1,12 +1,15 @@
 //! `reduce`: minimises a shader while keeping a diagnostic.
 
 use super::super::command::{CLEAN, FAILED, complain};
+use super::super::config::configs;
+use super::super::disk::Disk;
+use super::super::evidence;
 use super::super::output::{self, Overwrite};
 use crate::diagnostic::Severity;
-use crate::engine::{DialectChoice, Options, check};
-use crate::lint::{Settings, rule_name};
-use crate::project::NoFiles;
-use crate::rules::{RULES, page};
+use crate::engine::check;
+use crate::engine::config::{ConfigArgs, Selection};
+use crate::lint::{Infos, rule_name};
+use crate::rules::page;
 use crate::syntax::reduce;
 use std::collections::BTreeSet;
 use std::fs;
@@ -136,10 +139,19 @@ fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, Str
         true => Vec::new(),
         false => vec!["all".to_string()],
     };
-    let settings = Settings::new(RULES, &select, &[]).map_err(|e| e.name)?;
-    let options = Options::new(DialectChoice::Auto, settings);
+    let configs = configs(ConfigArgs {
+        given: Selection {
+            select,
+            infos: Infos::Shown,
+            ..Selection::default()
+        },
+        ..ConfigArgs::default()
+    });
+    let options = configs.options(&args.file).map_err(|e| e.to_string())?;
+    let disk = Disk::new();
+    evidence::file(&name, text, &options, &disk);
     let found = move |text: &str, errors_only: bool| -> BTreeSet<String> {
-        let all = check(&name, text, &options, &NoFiles).diagnostics;
+        let all = check(&name, text, &options, &disk).diagnostics;
         let all = all
             .iter()
             .filter(|d| !errors_only || d.severity == Severity::Error);

@@ -1,6 +1,8 @@
-//! `-v`: how each file was interpreted, with which configuration, and what was skipped.
+//! `-v` of checks: how each file was interpreted, with which configuration, and what was skipped.
 
 use super::super::command::complain;
+use super::super::disk::Disk;
+use super::super::evidence;
 use super::super::input::{InputFile, PassedOver};
 use crate::commands::{Recognition, reading};
 use crate::diagnostic::count;
@@ -9,8 +11,8 @@ use crate::engine::config::Configs;
 use crate::lint::Proof;
 use std::path::Path;
 
-/// The `-v` line of one file: how it was interpreted, and its configuration file.
-pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
+/// Reports how a file was interpreted, with its configuration file, and what was opened with it.
+pub fn read(input: &InputFile, report: &Report, configs: &Configs) {
     let here = std::env::current_dir().unwrap_or_default();
     let config = match configs.file_of(Path::new(&input.name)) {
         Some(file) => format!("{}", file.strip_prefix(&here).unwrap_or(&file).display()),
@@ -21,8 +23,13 @@ pub fn read(input: &InputFile, report: &Report, configs: &Configs) -> String {
         true => Recognition::Never,
         false => Recognition::Always,
     };
-    let read_as = reading(&input.name, report, &options, recognition).read_as;
-    format!("{}: checked as {read_as}; {config}", input.name)
+    let disk = &Disk::new();
+    let read_as = reading(&input.name, report, (&options, disk), recognition).read_as;
+    complain(&format!("{}: checked as {read_as}; {config}", input.name));
+    let file = report.file.and_then(|id| report.sources.file(id));
+    if let Some(file) = file {
+        evidence::file(&input.name, &file.text, &options, disk);
+    }
 }
 
 /// How fixes were verified to keep the image; `None` if nothing was fixed.

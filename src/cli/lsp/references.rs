@@ -1,10 +1,13 @@
 //! `shaderlint references`: where the project of a file uses a name, as the language server answers it.
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
-use super::super::config::absolute;
+use super::super::config::{absolute, configs};
+use super::super::disk::Disk;
+use super::super::evidence;
 use super::super::port::read_text;
 use super::pages::PageFiles;
 use super::workspace::DiskWorkspace;
+use crate::engine::config::ConfigArgs;
 use crate::ide::{FileSpan, NameUse};
 use crate::lsp::{Session, name_uses, uri_of};
 use crate::project::Files;
@@ -44,6 +47,9 @@ pub fn references(args: &ReferencesArgs) -> io::Result<u8> {
             return Ok(FAILED);
         }
     };
+    if let Ok(options) = configs(ConfigArgs::default()).options(&args.file) {
+        evidence::file(&slashed(&args.file), &text, &options, &Disk::new());
+    }
     let session = opened(&uri(args), &text);
     let found = uses(&session, args, &text);
     let groups: Vec<String> = found.iter().map(|uses| group(&session, uses)).collect();

@@ -106,6 +106,9 @@ pub struct PortArgs {
     /// match bit for bit.
     #[arg(long, conflicts_with = "diff", help_heading = CHECKS)]
     pub(super) verify: bool,
+    /// Show which files were opened, and as which passes
+    #[arg(short, long, global = true)]
+    pub(super) verbose: bool,
 }
 
 /// The commands of `shaderport`.

@@ -5,6 +5,7 @@ use super::media::{Carried, folder_of};
 use super::read::read_text;
 use crate::cli::config::{configs, host_of};
 use crate::cli::disk::Disk;
+use crate::cli::evidence;
 use crate::engine::config::{ConfigArgs, Configs};
 use crate::engine::{Options, Repairs, modernize, repair};
 use crate::host::Preset;
@@ -246,31 +247,41 @@ fn open(args: &PortArgs, configs: &Configs) -> Result<OpenedProject, String> {
         }
     };
     draft.order(&args.source.channels)?;
+    evidence::opened(&name_of(args), &draft);
     Ok(draft)
 }
 
-/// Opens a file or a folder with the configuration that applies to it. `from` is the host given by
-/// the user.
-pub(in crate::cli) fn draft(path: &Path, from: Option<&str>) -> Result<OpenedProject, String> {
+/// Opens a file or a folder with the configuration that applies to it, and resolves it. `from` is the
+/// host given by the user, `channels` are the user's orders.
+pub(in crate::cli) fn draft(
+    path: &Path,
+    from: Option<&str>,
+    channels: &[String],
+) -> Result<(OpenedProject, Composed), String> {
     let configs = configs(ConfigArgs::default());
     let host = named_host(from)?;
-    if path.is_dir() {
-        let options = options_at(path, &configs)?;
-        let paths = [path.to_path_buf()];
-        return open_passes(&paths, &[], options.file_access(&Disk::new()));
-    }
-    let mut opened = open_one(path, None, host, &configs)?;
-    if opened.project.host.is_none() {
-        return Ok(opened);
-    }
-    // Most other hosts run desktop GLSL.
+    let mut opened = match path.is_dir() {
+        true => {
+            let options = options_at(path, &configs)?;
+            let paths = [path.to_path_buf()];
+            open_passes(&paths, &[], options.file_access(&Disk::new()))?
+        }
+        false => open_one(path, None, host, &configs)?,
+    };
+    opened.order(channels)?;
     let name = slashed(path);
+    evidence::opened(&name, &opened);
     let composed = (opened.project.resolve(&name)).map_err(|e| format!("{name}: {e}"))?;
-    if composed.has_errors() {
-        let repaired = apply_repairs(&opened.project, &composed, &name, Mode::AsItIs)?;
-        opened.project = repaired.map_or(opened.project, |(fixed, ..)| fixed);
+    // Most other hosts run desktop GLSL.
+    if opened.project.host.is_some()
+        && composed.has_errors()
+        && let Some((fixed, renewed, _)) =
+            apply_repairs(&opened.project, &composed, &name, Mode::AsItIs)?
+    {
+        opened.project = fixed;
+        return Ok((opened, renewed));
     }
-    Ok(opened)
+    Ok((opened, composed))
 }
 
 fn open_one(

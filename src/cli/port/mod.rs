@@ -20,6 +20,7 @@ pub(super) use read::read_text;
 pub(super) use save::save;
 
 use super::command::FAILED;
+use super::global::GlobalArgs;
 use super::usage::absent;
 use args::PortCommand;
 use build::{build_output, print};
@@ -27,6 +28,11 @@ use report::print_note;
 
 /// Runs `shaderport` and returns the exit code.
 pub fn run(args: &PortArgs) -> u8 {
+    let options = GlobalArgs {
+        verbose: args.verbose,
+        ..GlobalArgs::default()
+    };
+    options.apply();
     match port(args) {
         Ok(code) => code,
         Err(message) => {

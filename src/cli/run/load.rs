@@ -80,10 +80,9 @@ pub fn read(
 ) -> Result<LoadedFiles, Undrawable> {
     let name = slashed(path);
     let wrong = |e| Undrawable::Words(format!("{name}: {e}"));
-    let mut draft = port::draft(path, from).map_err(Undrawable::Words)?;
-    draft.order(channels).map_err(Undrawable::Words)?;
+    let opened = port::draft(path, from, channels);
+    let (draft, composed) = opened.map_err(Undrawable::Words)?;
     let (mut project, mut read) = (draft.project, draft.read);
-    let composed = project.resolve(&name).map_err(wrong)?;
     let put = port::put_channels(&mut project, &draft.orders);
     let (files, remarks) = put.map_err(Undrawable::Words)?;
     read.extend(files);

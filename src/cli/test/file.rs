@@ -1,5 +1,6 @@
 //! The tests and golden images of one file.
 
+use super::super::evidence;
 use super::super::input::{InputFile, read};
 use super::functions::TestFile;
 use super::golden::{self, GoldenImages, GoldenSubject};
@@ -70,6 +71,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
     if report.unread.is_some() {
         return Ok(unread);
     }
+    evidence::file(name, &text, &options, &run.disk);
     let family = family(name, &text, options.file_access(&run.disk));
     let filter = run.args.filter.as_deref().unwrap_or("");
     let is_requested = |name: &str| name.contains(filter);

@@ -318,7 +318,7 @@ fn usual_plan(host: &Preset, clues: &Clues) -> Plan {
 pub const ENOUGH: u32 = 2;
 
 /// A detected host and the evidence for it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Recognised {
     /// The host.
     pub host: &'static Preset,
@@ -326,6 +326,12 @@ pub struct Recognised {
     pub signs: Vec<Sign>,
     /// Another host with equally strong evidence.
     pub tied: Option<&'static Preset>,
+}
+
+impl PartialEq for Recognised {
+    fn eq(&self, other: &Recognised) -> bool {
+        self.host.name == other.host.name && self.signs == other.signs
+    }
 }
 
 impl Recognised {

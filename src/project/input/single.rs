@@ -101,6 +101,7 @@ impl Project {
         let mut project = Project::of_plan(title, recognised.host, plan, &own.pieces)?;
         if host.is_none() && !recognised.signs.is_empty() {
             project.notes.insert(0, recognised.summary());
+            project.recognised = Some(recognised);
         }
         Ok(project)
     }

@@ -3,8 +3,9 @@
 use super::channels::{GivenOrder, channel_file, orders_of};
 use crate::access::FileAccess;
 use crate::include::gathered::GatheredText;
-use crate::{ChannelOrder, MissingInclude, Project, ShaderError, SiblingTexts};
+use crate::{ChannelOrder, MissingInclude, Project, ProjectPass, ShaderError, SiblingTexts};
 use shaderlint_host::Preset;
+use shaderlint_text::path::slashed;
 use std::path::{Path, PathBuf};
 
 /// An opened project, before its channels are resolved.
@@ -59,6 +60,28 @@ impl OpenedProject {
                 self.project.notes.push(note);
             }
         }
+    }
+
+    /// What of a place was opened, in words: the passes with their files, and the other files that
+    /// were read. Guesses are in the notes of the project.
+    pub fn evidence(&self) -> Vec<String> {
+        let passes = self.project.passes.iter();
+        let of_file = |pass: &ProjectPass| {
+            let file = pass.file.as_ref().map(|file| format!(" ({file})"));
+            format!("{}{}", pass.slug(), file.unwrap_or_default())
+        };
+        let of_files: Vec<&str> = passes.clone().filter_map(|p| p.file.as_deref()).collect();
+        let mut read: Vec<String> = self.read.iter().map(slashed).collect();
+        read.sort();
+        read.dedup();
+        read.retain(|path| !of_files.contains(&path.as_str()));
+        let several = (passes.len() > 1).then(|| passes.map(of_file).collect::<Vec<_>>());
+        let lines = [("passes", several), ("also read", Some(read))].into_iter();
+        let evidence = lines.filter_map(|(what, all)| {
+            let all = all.filter(|all| !all.is_empty())?;
+            Some(format!("{what}: {}", all.join(", ")))
+        });
+        evidence.collect()
     }
 
     /// Adds the orders of the user, which take precedence over those of files.
