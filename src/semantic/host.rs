@@ -20,7 +20,10 @@ pub struct Host {
     pub hides_alpha: bool,
     /// Renamed identifiers: old name, current name, year of the change.
     pub renamed: &'static [(&'static str, &'static str, &'static str)],
-    prelude: &'static [PreludePiece],
+    /// The pieces of the text that it adds before a shader, with `sampler2D` for each channel.
+    prelude: &'static [&'static str],
+    /// The types that its channels may have.
+    channels: &'static [Sampler],
     /// Number of lines of the original prelude; `__LINE__` continues from it.
     lines: usize,
 }
@@ -71,24 +74,11 @@ impl EntryPoint {
     }
 }
 
-/// A piece of the text that a host adds before a shader.
-#[derive(Debug)]
-enum PreludePiece {
-    Text(&'static str),
-    /// The four channel uniforms, each with one of these types.
-    Channels(&'static [Sampler]),
-    /// A struct for each channel.
-    ChannelStructs,
-}
-
 /// The first six lines added by ShaderToy's renderer.
-const RENDERER: PreludePiece = PreludePiece::Text(
-    "#version 300 es\n#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n\
-     precision mediump sampler3D;\n#endif\n#define HW_PERFORMANCE 1\n",
-);
-const UNIFORMS: PreludePiece = PreludePiece::Text(include_str!("builtins/shadertoy.glsl"));
-const CHANNELS: PreludePiece =
-    PreludePiece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D]);
+const RENDERER: &str = "#version 300 es\n#ifdef GL_ES\nprecision highp float;\n\
+    precision highp int;\nprecision mediump sampler3D;\n#endif\n#define HW_PERFORMANCE 1\n";
+const UNIFORMS: &str = include_str!("builtins/shadertoy.glsl");
+const CHANNELS: &str = include_str!("builtins/shadertoy_channels.glsl");
 
 const MAIN: EntryPoint = EntryPoint {
     name: "main",
@@ -120,6 +110,7 @@ static PAGE: Host = Host {
     hides_alpha: false,
     renamed: &[],
     prelude: &[],
+    channels: &[],
     lines: 0,
 };
 
@@ -133,6 +124,7 @@ const PLAYER: Host = Host {
     hides_alpha: false,
     renamed: &[("iGlobalTime", "iTime", "2017")],
     prelude: &[],
+    channels: &[Sampler::Sampler2D, Sampler::SamplerCube, Sampler::Sampler3D],
     lines: 0,
 };
 
@@ -144,8 +136,8 @@ static IMAGE: Host = Host {
         RENDERER,
         UNIFORMS,
         CHANNELS,
-        PreludePiece::ChannelStructs,
-        PreludePiece::Text(include_str!("builtins/shadertoy_image.glsl")),
+        include_str!("builtins/shadertoy_channel_structs.glsl"),
+        include_str!("builtins/shadertoy_image.glsl"),
     ],
     lines: 53,
     ..PLAYER
@@ -157,7 +149,7 @@ static BUFFER: Host = Host {
         RENDERER,
         UNIFORMS,
         CHANNELS,
-        PreludePiece::Text(include_str!("builtins/shadertoy_buffer.glsl")),
+        include_str!("builtins/shadertoy_buffer.glsl"),
     ],
     lines: 27,
     ..PLAYER
@@ -169,7 +161,7 @@ static CUBEMAP: Host = Host {
         RENDERER,
         UNIFORMS,
         CHANNELS,
-        PreludePiece::Text(include_str!("builtins/shadertoy_cubemap.glsl")),
+        include_str!("builtins/shadertoy_cubemap.glsl"),
     ],
     lines: 30,
     ..PLAYER
@@ -179,10 +171,11 @@ static SOUND: Host = Host {
     entry: Some(MAIN_SOUND),
     prelude: &[
         RENDERER,
-        PreludePiece::Text(include_str!("builtins/shadertoy_sound.glsl")),
-        PreludePiece::Channels(&[Sampler::Sampler2D, Sampler::SamplerCube]),
-        PreludePiece::Text(include_str!("builtins/shadertoy_sound_main.glsl")),
+        include_str!("builtins/shadertoy_sound.glsl"),
+        CHANNELS,
+        include_str!("builtins/shadertoy_sound_main.glsl"),
     ],
+    channels: &[Sampler::Sampler2D, Sampler::SamplerCube],
     lines: 20,
     ..PLAYER
 };
@@ -221,26 +214,21 @@ impl Host {
     /// The text added before a shader with channels of these types. It has as many lines as the
     /// host's own, so that `__LINE__` has the same values.
     pub fn prelude(&self, channels: Channels) -> String {
-        let mut text = String::new();
-        for piece in self.prelude {
-            match piece {
-                PreludePiece::Text(piece) => text.push_str(piece),
-                PreludePiece::Channels(kinds) => {
-                    for (i, channel) in channels.iter().enumerate() {
-                        let sampler = channel
-                            .filter(|c| kinds.contains(c))
-                            .unwrap_or(Sampler::Sampler2D);
-                        text.push_str(&format!("uniform {} iChannel{i};\n", sampler.name()));
-                    }
-                }
-                PreludePiece::ChannelStructs => {
-                    for (i, channel) in channels.iter().enumerate() {
-                        let sampler = channel.unwrap_or(Sampler::Sampler2D).name();
-                        text.push_str(&format!(
-                            "uniform struct {{ {sampler} sampler; vec3 size; float time; int loaded; }} iCh{i};\n"
-                        ));
-                    }
-                }
+        let mut text = self.prelude.concat();
+        for (i, channel) in channels.iter().enumerate() {
+            let sampler = channel.filter(|c| self.channels.contains(c));
+            let Some(sampler) = sampler.filter(|c| *c != Sampler::Sampler2D) else {
+                continue;
+            };
+            for (before, after) in [
+                ("uniform ", format!(" iChannel{i};")),
+                (
+                    "uniform struct { ",
+                    format!(" sampler; vec3 size; float time; int loaded; }} iCh{i};"),
+                ),
+            ] {
+                let declared = |ty: &str| format!("{before}{ty}{after}");
+                text = text.replace(&declared("sampler2D"), &declared(sampler.name()));
             }
         }
         let missing = self.lines.saturating_sub(text.lines().count());
