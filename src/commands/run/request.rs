@@ -23,7 +23,7 @@ pub struct InputRequest {
     )]
     #[serde(alias = "from")]
     pub host: Option<String>,
-    /// Input of a channel: `0=photo.jpg`, `image.1=keyboard`, `buffer_a.0=buffer_a`
+    /// Input of a channel: `0=photo.jpg`, `image.1=keyboard`, `buffer_a.0=buffer_a`, `0=self`
     ///
     /// The channel may be the name of a sampler: `u_tex0=photo.png`. Append the sampler settings:
     /// `0=photo.jpg,nearest,clamp,noflip`.

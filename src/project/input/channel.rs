@@ -38,12 +38,24 @@ pub enum ChannelName {
 pub enum ChannelSource {
     /// The output of a pass of the project.
     Pass(PassRole),
+    /// The output of the pass itself, one frame before.
+    Itself,
     /// A device: keyboard, camera or microphone.
     Device(InputKind),
     /// The path of a file.
     File(String),
     /// Nothing: a generated image of the type that the code reads.
     StandIn,
+}
+
+impl ChannelName {
+    /// The number of the channel, if it is one of ShaderToy's.
+    pub(crate) fn number(&self) -> Option<u8> {
+        match self {
+            ChannelName::Number(number) => Some(*number),
+            ChannelName::Sampler(name) => channel(name),
+        }
+    }
 }
 
 impl ChannelOrder {
@@ -167,6 +179,7 @@ fn source_of(text: &str) -> ChannelSource {
     match device {
         Some((_, kind)) => ChannelSource::Device(*kind),
         None if text == STAND_IN => ChannelSource::StandIn,
+        None if text == "self" => ChannelSource::Itself,
         None => match PassRole::of_name(text) {
             Some(role) if !text.contains(['.', '/', '\\']) => ChannelSource::Pass(role),
             _ => ChannelSource::File(text.to_string()),
@@ -274,7 +287,7 @@ impl Project {
         media: Option<&Media>,
     ) -> Result<Option<(InputKind, String)>, String> {
         match &order.source {
-            ChannelSource::StandIn => Ok(None),
+            ChannelSource::StandIn | ChannelSource::Itself => Ok(None),
             ChannelSource::Device(kind) => Ok(Some((*kind, String::new()))),
             ChannelSource::File(path) => {
                 let media = media.ok_or_else(|| unknown_source(path))?;

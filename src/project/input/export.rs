@@ -375,15 +375,21 @@ fn climbs(path: &str) -> bool {
     path.split(['/', '\\']).any(|part| part == "..")
 }
 
-/// The id of an input. The REST API identifies a buffer by its preview image.
+/// The id of an input. The REST API identifies the output of a pass by its preview image.
 fn source_id(kind: InputKind, id: &str, src: &str) -> String {
     let output = OutputId::new(id);
-    if kind != InputKind::Buffer || output.number().is_some() {
-        return output.0;
+    let preview = src
+        .rsplit_once("/media/previz/")
+        .map_or("", |(_, name)| name);
+    match kind {
+        InputKind::Buffer if output.number().is_none() => {
+            let number = preview.strip_prefix("buffer0");
+            let number = number.and_then(|rest| rest.strip_suffix(".png")?.parse().ok());
+            number.and_then(OutputId::buffer).unwrap_or(output).0
+        }
+        InputKind::Cubemap if preview == "cubemap00.png" => OutputId::CUBE.to_string(),
+        _ => output.0,
     }
-    let preview = src.strip_prefix("/media/previz/buffer0");
-    let number = preview.and_then(|rest| rest.strip_suffix(".png")?.parse::<usize>().ok());
-    number.and_then(OutputId::buffer).unwrap_or(output).0
 }
 
 #[cfg(test)]
@@ -426,11 +432,13 @@ mod tests {
     fn buffers_are_identified_by_id_image_or_order() {
         let json = r#"{"Shader":{"renderpass":[
             {"type":"image","code":"","inputs":[
-                {"id":999,"ctype":"buffer","src":"/media/previz/buffer01.png","channel":0}]},
+                {"id":999,"ctype":"buffer","src":"/media/previz/buffer01.png","channel":0},
+                {"id":9,"ctype":"cubemap","src":"/media/a//media/previz/cubemap00.png","channel":1}]},
             {"type":"buffer","code":"","outputs":[{"id":258}]},
             {"type":"buffer","code":""}]}}"#;
         let project = Project::from_json(json).unwrap();
         assert_eq!(project.passes[0].inputs[0].id, "XsXGR8");
+        assert_eq!(project.passes[0].inputs[1].id, OutputId::CUBE);
         assert_eq!(project.passes[1].slug(), "buffer_b");
         assert_eq!(project.passes[2].slug(), "buffer_a");
     }

@@ -3,7 +3,9 @@
 use super::channels::{GivenOrder, channel_file, orders_of};
 use crate::access::FileAccess;
 use crate::include::gathered::GatheredText;
-use crate::{ChannelOrder, MissingInclude, Project, ProjectPass, ShaderError, SiblingTexts};
+use crate::{
+    ChannelOrder, ChannelSource, MissingInclude, Project, ProjectPass, ShaderError, SiblingTexts,
+};
 use shaderlint_host::Preset;
 use shaderlint_text::path::slashed;
 use std::path::{Path, PathBuf};
@@ -84,16 +86,43 @@ impl OpenedProject {
         evidence.collect()
     }
 
-    /// Adds the orders of the user, which take precedence over those of files.
+    /// Adds the orders of the user, which take precedence over those of files. A single shader that
+    /// reads itself becomes a buffer.
     ///
     /// # Errors
-    /// If one is not an order.
+    /// If one is not an order, or not of such a shader.
     pub fn order(&mut self, channels: &[String]) -> Result<(), String> {
         for text in channels {
             let by = "--channel".to_string();
             let order = ChannelOrder::read(text).map_err(|e| format!("{by}: {e}"))?;
             self.orders.push(GivenOrder { by, order });
         }
+        let reads_itself = |given: &GivenOrder| given.order.source == ChannelSource::Itself;
+        let own: Vec<GivenOrder> = self.orders.extract_if(.., |o| reads_itself(o)).collect();
+        let Some(first) = own.first() else {
+            return Ok(());
+        };
+        let single = self.single.as_ref().filter(|_| self.project.host.is_none());
+        let Some(single) = single else {
+            let how = "only a single shader reads itself; name the pass: `buffer_a.0=buffer_a`";
+            return Err(format!("{}: {how}", first.by));
+        };
+        let mut text = single.text.text.to_string();
+        for GivenOrder { by, order } in &own {
+            let Some(number) = order.channel.number() else {
+                return Err(format!(
+                    "{by}: expected a channel from 0 to 3 before `=self`"
+                ));
+            };
+            text.push_str(&format!("\n#iChannel{number} \"self\""));
+        }
+        let drafted = single.draft(&text).map_err(|e| e.to_string())?;
+        // The comment that makes it a buffer is not the user's.
+        self.project = Project {
+            notes: std::mem::take(&mut self.project.notes),
+            recognised: None,
+            ..drafted
+        };
         Ok(())
     }
 }
@@ -115,7 +144,8 @@ impl SingleShader {
     /// # Errors
     /// If the text shows that it cannot be ported.
     pub fn draft(&self, text: &str) -> Result<Project, ShaderError> {
-        let is_similar = text.lines().count() == self.text.text.lines().count();
+        let own = &*self.text.text;
+        let is_similar = text.starts_with(own) || text.lines().count() == own.lines().count();
         let mut text = GatheredText::of(text);
         if is_similar {
             text.pieces.clone_from(&self.text.pieces);
