@@ -4,291 +4,39 @@
 //! misspelt, every front reports the error at the same place of the same file.
 
 use super::scratch::{Ran, Scratch};
+use serde::Deserialize;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 use std::process::Stdio;
 
 /// A project, and what is opened of it.
+#[derive(Deserialize)]
 struct Row {
-    name: &'static str,
-    files: &'static [(&'static str, &'static str)],
+    name: String,
+    files: BTreeMap<String, String>,
     /// The file or folder that is opened.
-    open: &'static str,
+    open: String,
     /// The file and the line of the call.
-    call: (&'static str, u32),
+    call: (String, u32),
+}
+
+/// The rows, which the tests of the module for WebAssembly read, too.
+fn rows() -> Vec<Row> {
+    serde_json::from_str(include_str!("opening.json")).unwrap()
 }
 
 const GLOW: &str = "float glow(float x) { return sin(x); }\n";
-const USES: &str = "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x));\n}\n";
 const SHOWS: &str =
     "void mainImage(out vec4 c, in vec2 p) {\n    c = texture(iChannel0, p / iResolution.xy);\n}\n";
-
-const ROWS: &[Row] = &[
-    Row {
-        name: "a Common file beside the Image",
-        files: &[("d/common.glsl", GLOW), ("d/image.glsl", USES)],
-        open: "d/image.glsl",
-        call: ("d/image.glsl", 2),
-    },
-    Row {
-        name: "a folder of passes",
-        files: &[
-            ("d/common.glsl", GLOW),
-            ("d/bufferA.glsl", USES),
-            ("d/image.glsl", SHOWS),
-        ],
-        open: "d",
-        call: ("d/bufferA.glsl", 2),
-    },
-    Row {
-        name: "a pass of a folder of passes",
-        files: &[
-            ("d/common.glsl", GLOW),
-            ("d/bufferA.glsl", USES),
-            ("d/image.glsl", SHOWS),
-        ],
-        open: "d/bufferA.glsl",
-        call: ("d/bufferA.glsl", 2),
-    },
-    Row {
-        name: "an Image without the name of a pass",
-        files: &[("ripple.frag", USES), ("ripple_common.frag", GLOW)],
-        open: "ripple.frag",
-        call: ("ripple.frag", 2),
-    },
-    Row {
-        name: "a quoted include",
-        files: &[
-            ("lib/glow.glsl", GLOW),
-            (
-                "a.glsl",
-                concat!(
-                    "#include \"lib/glow.glsl\"\n",
-                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
-                ),
-            ),
-        ],
-        open: "a.glsl",
-        call: ("a.glsl", 2),
-    },
-    Row {
-        name: "an include in angle brackets, with a semicolon",
-        files: &[
-            ("common.glsl", GLOW),
-            (
-                "a.glsl",
-                concat!(
-                    "#include <common.glsl>;\n",
-                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
-                ),
-            ),
-        ],
-        open: "a.glsl",
-        call: ("a.glsl", 2),
-    },
-    Row {
-        name: "includes of includes",
-        files: &[
-            (
-                "lib/deep/sine.glsl",
-                "float sine(float x) { return sin(x); }\n",
-            ),
-            (
-                "lib/glow.glsl",
-                "#include \"./deep/sine.glsl\"\nfloat glow(float x) { return sine(x); }\n",
-            ),
-            (
-                "lib/use.glsl",
-                "#include './glow'\nfloat used(float x) {\n    return glow(x);\n}\n",
-            ),
-            (
-                "a.frag",
-                "#version 300 es\nprecision highp float;\n#include \"lib/use.glsl\"\nout vec4 c;\nvoid main() { c = vec4(used(gl_FragCoord.x)); }\n",
-            ),
-        ],
-        open: "a.frag",
-        call: ("lib/use.glsl", 3),
-    },
-    Row {
-        name: "a pragma, and an include from the root",
-        files: &[
-            ("package.json", "{}"),
-            ("lib/glow.glsl", GLOW),
-            ("src/b.glsl", "#pragma include \"/lib/glow.glsl\"\n"),
-            (
-                "src/a.frag",
-                "#version 300 es\nprecision highp float;\n@import ./b.glsl;\nout vec4 c;\nvoid main() {\n    c = vec4(glow(gl_FragCoord.x));\n}\n",
-            ),
-        ],
-        open: "src/a.frag",
-        call: ("src/a.frag", 6),
-    },
-    Row {
-        name: "a module of a package",
-        files: &[
-            ("package.json", "{}"),
-            (
-                "node_modules/glsl-glow/package.json",
-                "{\"glslify\": \"index.glsl\"}",
-            ),
-            (
-                "node_modules/glsl-glow/index.glsl",
-                "float glow(float x) { return sin(x); }\n#pragma glslify: export(glow)\n",
-            ),
-            (
-                "a.frag",
-                "#version 300 es\nprecision highp float;\n#pragma glslify: glow = require(glsl-glow)\nout vec4 c;\nvoid main() {\n    c = vec4(glow(gl_FragCoord.x));\n}\n",
-            ),
-        ],
-        open: "a.frag",
-        call: ("a.frag", 6),
-    },
-    Row {
-        name: "an include in a pass of a folder",
-        files: &[
-            ("d/lib/glow.glsl", GLOW),
-            ("d/image.glsl", SHOWS),
-            (
-                "d/bufferA.glsl",
-                concat!(
-                    "#include \"lib/glow.glsl\"\n",
-                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
-                ),
-            ),
-        ],
-        open: "d",
-        call: ("d/bufferA.glsl", 2),
-    },
-    Row {
-        name: "a pass with the uniforms of the player",
-        files: &[(
-            "a.glsl",
-            "uniform vec3 iResolution;\nuniform float iTime;\nfloat glow(float x) { return sin(x); }\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x / iResolution.x + iTime));\n}\n",
-        )],
-        open: "a.glsl",
-        call: ("a.glsl", 5),
-    },
-    Row {
-        name: "a pass with a version",
-        files: &[(
-            "a.glsl",
-            "#version 300 es\nprecision highp float;\nfloat glow(float x) { return sin(x); }\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x / iResolution.x + iTime));\n}\n",
-        )],
-        open: "a.glsl",
-        call: ("a.glsl", 5),
-    },
-    Row {
-        name: "a pass with uniforms of its own",
-        files: &[(
-            "a.glsl",
-            "uniform float uSize;\nfloat glow(float x) { return sin(x); }\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = vec4(glow(p.x / uSize));\n}\n",
-        )],
-        open: "a.glsl",
-        call: ("a.glsl", 4),
-    },
-    Row {
-        name: "a buffer of VS Code Shader Toy, by a path in the workspace",
-        files: &[
-            (".git/HEAD", ""),
-            ("sub/glow.glsl", GLOW),
-            (
-                "sub/buf.glsl",
-                concat!(
-                    "#include \"glow.glsl\"\n",
-                    "void mainImage(out vec4 c, in vec2 p) { c = vec4(glow(p.x)); }\n"
-                ),
-            ),
-            (
-                "sub/a.glsl",
-                "#iChannel0 \"file://sub/buf.glsl\"\n#include \"glow.glsl\"\n\
-                 void mainImage(out vec4 c, in vec2 p) {\n    \
-                 c = texture(iChannel0, p / iResolution.xy) * glow(p.y);\n}\n",
-            ),
-        ],
-        open: "sub/a.glsl",
-        call: ("sub/a.glsl", 4),
-    },
-    Row {
-        name: "a header with a comment above it",
-        files: &[(
-            "a.fs",
-            "// Glow\n/*{ \"INPUTS\": [{ \"NAME\": \"size\", \"TYPE\": \"float\" }] }*/\n\
-             float glow(float x) { return sin(x); }\n\
-             void main() {\n    gl_FragColor = vec4(glow(isf_FragNormCoord.x * size));\n}\n",
-        )],
-        open: "a.fs",
-        call: ("a.fs", 5),
-    },
-    Row {
-        name: "a transition",
-        files: &[(
-            "a.glsl",
-            "float glow(float x) { return sin(x); }\nvec4 transition(vec2 uv) {\n    \
-             return mix(getFromColor(uv), getToColor(uv), glow(progress));\n}\n",
-        )],
-        open: "a.glsl",
-        call: ("a.glsl", 3),
-    },
-    Row {
-        name: "a fragment program of Flutter, with a header of its own",
-        files: &[
-            (
-                "lib/head.frag",
-                "#version 460 core\n#include <flutter/runtime_effect.glsl>\n\
-                 uniform vec2 uSize;\nout vec4 fragColor;\n\
-                 float glow(float x) { return sin(x); }\n",
-            ),
-            (
-                "src/a.frag",
-                "#include <../lib/head.frag>\nvoid main() {\n    \
-                 fragColor = vec4(glow(FlutterFragCoord().x / uSize.x));\n}\n",
-            ),
-        ],
-        open: "src/a.frag",
-        call: ("src/a.frag", 3),
-    },
-    Row {
-        name: "a pass of ShaderToy between the headers of a fragment program of Flutter",
-        files: &[
-            (
-                "lib/head.frag",
-                "#version 460 core\n#include <flutter/runtime_effect.glsl>\n\
-                 uniform vec2 iResolution;\nout vec4 fragColor;\n\
-                 float glow(float x) { return sin(x); }\n",
-            ),
-            (
-                "lib/main.frag",
-                "void main() { mainImage(fragColor, FlutterFragCoord().xy); }\n",
-            ),
-            (
-                "src/a.frag",
-                "#include <../lib/head.frag>\n\
-                 void mainImage(out vec4 c, in vec2 p) {\n    \
-                 c = vec4(glow(p.x / iResolution.x));\n}\n#include <../lib/main.frag>\n",
-            ),
-        ],
-        open: "src/a.frag",
-        call: ("src/a.frag", 3),
-    },
-    Row {
-        name: "a shader in a configuration of niri, indented",
-        files: &[(
-            "a.kdl",
-            "window-open {\n    custom-shader r\"\n        \
-             float glow(float x) { return sin(x); }\n        \
-             vec4 open_color(vec3 at, vec3 size) {\n            \
-             return texture2D(niri_tex, at.st) * glow(niri_clamped_progress);\n        }\n    \"\n}\n",
-        )],
-        open: "a.kdl",
-        call: ("a.kdl", 5),
-    },
-];
 
 impl Row {
     /// The project with the call misspelt, or as it is.
     fn scratch(&self, is_broken: bool) -> Scratch {
-        let scratch = Scratch::new(self.files);
-        let (file, _) = self.call;
+        let files = self.files.iter();
+        let files: Vec<(&str, &str)> = files.map(|(path, text)| (&**path, &**text)).collect();
+        let scratch = Scratch::new(&files);
+        let (file, _) = &self.call;
         if is_broken {
             let text = scratch.read(file);
             let at = text.rfind("glow(").unwrap();
@@ -419,7 +167,7 @@ fn read_message(from: &mut impl BufRead) -> Value {
 #[test]
 fn every_front_opens_the_same_project() {
     let mut wrong = Vec::new();
-    for row in ROWS {
+    for row in &rows() {
         for (front, answer) in FRONTS {
             // A preview is of a document, and counts the lines of a shader in it from its start.
             if *front == "preview" && (row.is_folder() || row.open.ends_with(".kdl")) {
@@ -430,9 +178,9 @@ fn every_front_opens_the_same_project() {
                 if is_broken && *front == "test" {
                     continue;
                 }
-                let ran = answer(&row.scratch(is_broken), row.open);
+                let ran = answer(&row.scratch(is_broken), &row.open);
                 let said = format!("{}{}", ran.out, ran.err);
-                let (file, line) = row.call;
+                let (file, line) = (&*row.call.0, row.call.1);
                 let is_named = said.contains("glowx") && said.contains(&place(front, file, line));
                 // `test` finds no tests in most of them.
                 let fails = ran.code == 1 || ran.code != 0 && *front != "test";
@@ -453,9 +201,9 @@ fn every_front_opens_the_same_project() {
 #[test]
 fn uses_and_errors_of_a_file_are_those_of_its_project() {
     let mut wrong = Vec::new();
-    for row in ROWS.iter().filter(|row| !row.is_folder()) {
+    for row in rows().iter().filter(|row| !row.is_folder()) {
         let scratch = row.scratch(false);
-        let (file, line) = row.call;
+        let (file, line) = (&*row.call.0, row.call.1);
         let uses = scratch.run(&["references", file, "glow"]);
         if !uses.out.contains(&format!("{file}:{line}:")) {
             wrong.push(format!(
@@ -463,14 +211,14 @@ fn uses_and_errors_of_a_file_are_those_of_its_project() {
                 row.name, uses.out, uses.err
             ));
         }
-        let reduced = scratch.run(&["reduce", row.open]);
+        let reduced = scratch.run(&["reduce", &row.open]);
         if !reduced.err.contains("no errors to keep") {
             wrong.push(format!(
                 "{}: reduce: {}{}",
                 row.name, reduced.out, reduced.err
             ));
         }
-        let ir = scratch.run(&["ir", row.open]);
+        let ir = scratch.run(&["ir", &row.open]);
         if !ir.out.contains("glow") {
             wrong.push(format!("{}: ir: {}{}", row.name, ir.out, ir.err));
         }

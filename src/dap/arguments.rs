@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use shaderlint_commands::run::{InputRequest, RunFront, RunRequest};
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 /// The arguments of `launch`.
 #[derive(Clone, Default, Deserialize)]
@@ -13,7 +14,9 @@ pub struct Launch {
     /// Its text, if it is not read from a file.
     pub text: Option<String>,
     /// The texts of the passes of a folder by file name, if they are not read from files.
-    pub passes: BTreeMap<String, String>,
+    pub passes: BTreeMap<PathBuf, String>,
+    /// The texts of other files by path, for includes.
+    pub files: BTreeMap<PathBuf, String>,
     /// Whether to stop before the first statement.
     pub stop_on_entry: Option<bool>,
     /// Who completes the shader.
@@ -29,7 +32,7 @@ pub struct Launch {
 #[serde(default)]
 pub struct Reload {
     pub text: Option<String>,
-    pub passes: Option<BTreeMap<String, String>>,
+    pub passes: Option<BTreeMap<PathBuf, String>>,
     pub channels: Option<Vec<String>>,
 }
 

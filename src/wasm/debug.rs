@@ -5,7 +5,6 @@ use serde_json::Value;
 use shaderlint_commands::run::Loaded;
 use shaderlint_dap::{Adapter, Launch, ProgramSource};
 use shaderlint_play::Decode;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A debugger of the texts that come with `launch`.
@@ -43,13 +42,11 @@ struct SentPrograms;
 
 impl ProgramSource for SentPrograms {
     fn load(&self, launch: &Launch) -> Result<Loaded, String> {
-        let passes = launch.passes.iter();
         valid(&ShaderText {
             name: launch.program.clone(),
             text: launch.text.clone().unwrap_or_default(),
-            passes: passes
-                .map(|(name, text)| (PathBuf::from(name), text.clone()))
-                .collect(),
+            passes: launch.passes.clone(),
+            files: launch.files.clone(),
             input: launch.input.clone(),
         })
     }

@@ -1,13 +1,12 @@
 //! Answers requests.
 
-use super::files::MemoryFiles;
+use super::files::{MemoryFiles, options_of};
 use super::requests::{CheckParams, FixRequest, FormatRequest, ModuleRequest, TextInput};
 use super::result::RequestResult;
 use super::server::InstantServer;
 use serde_json::{Value, json};
 use shaderlint_commands::{Recognition, explain, print, rule_list, rule_page};
 use shaderlint_detect::kind::Claim;
-use shaderlint_engine::config::options;
 use shaderlint_engine::{Options, fix_text, format};
 use shaderlint_format::{Indentation, StyleChoice};
 use shaderlint_host::host_named;
@@ -63,13 +62,13 @@ impl Instance {
 }
 
 /// The options of a check, and the files that it may read.
-fn settings(input: &TextInput, format: Format) -> Result<(Options, MemoryFiles), String> {
+fn settings(input: &TextInput, format: Format) -> Result<(Options, Arc<MemoryFiles>), String> {
     let host = input.request.host.as_deref().map(host_named).transpose()?;
     let selection = input.request.selection(host, format);
-    let options = options(None, &[], &selection);
-    let mut options = options.map_err(|e| format!("unknown rule or group `{}`", e.name))?;
+    let files = Arc::new(MemoryFiles::new(&input.files));
+    let mut options = options_of(&files, &input.name, selection)?;
     options.checked = Arc::new(BTreeSet::from([input.name.clone()]));
-    Ok((options, MemoryFiles::new(&input.files)))
+    Ok((options, files))
 }
 
 /// `check`: the output in the requested format, and the number of findings by severity.
@@ -85,7 +84,7 @@ fn check(CheckParams { input, format }: CheckParams) -> RequestResult {
             None => Recognition::WhereComposed,
         });
     let given = (&*input.name, &content);
-    let checked = shaderlint_commands::check(given, (&options, &files), &[], recognition);
+    let checked = shaderlint_commands::check(given, (&options, &*files), &[], recognition);
     if let Some(unread) = &checked.report.unread {
         return Err(format!("{}: skipped: {unread}", input.name));
     }
@@ -122,7 +121,7 @@ fn fix(request: FixRequest) -> RequestResult {
         true => Allow::Unsafe,
         false => Allow::Safe,
     };
-    let fixed = fix_text(&input.name, &input.text, &options, &files, allow);
+    let fixed = fix_text(&input.name, &input.text, &options, &*files, allow);
     Ok(json!({ "text": fixed.text, "fixed": fixed.applied.len() }))
 }
 
@@ -187,7 +186,7 @@ mod tests {
         assert!(of(ask("chekc", json!({}))).starts_with("bad request: unknown variant `chekc`"));
         assert!(of(ask("explain", json!({ "name": "sqrt-nagative" }))).contains("sqrt-negative"));
         let unknown = json!({ "name": "a.glsl", "text": "", "select": ["nope"] });
-        assert_eq!(of(ask("check", unknown)), "unknown rule or group `nope`");
+        assert_eq!(of(ask("check", unknown)), "unknown rule or group `nope`; did you mean `look`?");
         assert_eq!(
             of(ask("check", json!({ "name": "a.txt", "text": "hello" }))),
             "a.txt: skipped: neither the extension nor the content indicates GLSL"

@@ -1,19 +1,20 @@
 //! The requests about ports.
 
-use super::files::MemoryFiles;
+use super::files::options_of;
 use super::project::{ShaderText, load};
 use super::result::RequestResult;
 use serde::Deserialize;
 use serde_json::json;
 use shaderlint_commands::PortRequest;
 use shaderlint_diagnostic::Severity;
-use shaderlint_engine::config::{Selection, options};
+use shaderlint_engine::config::Selection;
 use shaderlint_engine::{Analysis, Report, analyze};
 use shaderlint_ide::{FrameCost, frame_cost};
 use shaderlint_port::{Destination, Target};
 use shaderlint_port::{build, player_data as data_of};
 use shaderlint_project::Composed;
 use shaderlint_semantic::{Dialect, Pass};
+use std::sync::Arc;
 
 /// A shader or export, and what it is ported to.
 #[derive(Deserialize)]
@@ -71,23 +72,19 @@ pub fn player_data(shader: &ShaderText) -> RequestResult {
 }
 
 /// The operations per pixel of all passes that have the size of the canvas, and whether there are more.
-fn operations(
-    ShaderText {
-        name, text, passes, ..
-    }: &ShaderText,
-) -> (f64, bool) {
+fn operations(shader: &ShaderText) -> (f64, bool) {
     let selection = Selection {
         run_samples: Some(0),
         ..Selection::default()
     };
-    let options = options(None, &[], &selection).unwrap_or_default();
-    let files = MemoryFiles::new(passes);
+    let files = Arc::new(shader.all_files());
+    let options = options_of(&files, &shader.name, selection).unwrap_or_default();
     let mut reports: Vec<Report> = Vec::new();
-    if passes.is_empty() {
-        reports.push(analyze(name, text, &options, &files));
+    if shader.passes.is_empty() {
+        reports.push(analyze(&shader.name, &shader.text, &options, &*files));
     }
-    for (path, text) in passes {
-        reports.push(analyze(&path.to_string_lossy(), text, &options, &files));
+    for (path, text) in &shader.passes {
+        reports.push(analyze(&path.to_string_lossy(), text, &options, &*files));
     }
     let has_size = |analysis: &&Analysis| match analysis.program.dialect {
         Dialect::ShaderToy(pass) => matches!(pass, Pass::Image | Pass::Buffer),

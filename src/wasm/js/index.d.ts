@@ -74,6 +74,8 @@ export interface ShaderOptions {
   name?: string;
   /** The passes of a ShaderToy project by file name, such as `buffer_a.glsl`, instead of the text. */
   passes?: Record<string, string>;
+  /** Other files by path, for includes. */
+  files?: Record<string, string>;
   /** The site or library that the shader is written for; detected by default. */
   host?: string;
   /** What channels read, as after `--channel`: `image.0=buffer_a`. */
