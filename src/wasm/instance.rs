@@ -186,7 +186,10 @@ mod tests {
         assert!(of(ask("chekc", json!({}))).starts_with("bad request: unknown variant `chekc`"));
         assert!(of(ask("explain", json!({ "name": "sqrt-nagative" }))).contains("sqrt-negative"));
         let unknown = json!({ "name": "a.glsl", "text": "", "select": ["nope"] });
-        assert_eq!(of(ask("check", unknown)), "unknown rule or group `nope`; did you mean `look`?");
+        assert_eq!(
+            of(ask("check", unknown)),
+            "unknown rule or group `nope`; did you mean `look`?"
+        );
         assert_eq!(
             of(ask("check", json!({ "name": "a.txt", "text": "hello" }))),
             "a.txt: skipped: neither the extension nor the content indicates GLSL"

@@ -80,6 +80,16 @@ fn check(code: &str, expected: &str) {
     assert_eq!(messages.join(", "), expected, "{code}");
 }
 
+/// Each line of the table is `code => findings`.
+#[test]
+fn unassigned_values_are_found_on_every_path() {
+    let lines = include_str!("cases.txt").lines();
+    for line in lines.filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        let (code, expected) = line.split_once(" =>").unwrap();
+        check(code, expected.trim());
+    }
+}
+
 #[test]
 fn assignments_in_loops_hold_on_some_paths_only() {
     let found = |body: &str, expected| {
@@ -114,68 +124,6 @@ fn assignments_in_loops_hold_on_some_paths_only() {
     );
 }
 
-#[test]
-fn inout_arguments_are_read_if_the_function_uses_the_value() {
-    check(
-        "void set(inout vec2 a) { a = vec2(1.); } float f() { vec2 a; set(a); return a.x; }",
-        "",
-    );
-    check(
-        "void add(inout float a) { a += 1.; } float f() { float a; add(a); return a; }",
-        "a never",
-    );
-    check(
-        "void add(inout float a); float f() { float a; add(a); return a; }",
-        "",
-    );
-    check(
-        "void part(inout vec2 a) { a.x = 1.; a.y += a.x; } float f() { vec2 a; part(a); return a.x; }",
-        "a never",
-    );
-    check(
-        "void inner(inout float a) { a = 1.; } void outer(inout float a) { inner(a); }
-         float f() { float a; outer(a); return a; }",
-        "",
-    );
-    check(
-        "struct S { float a, b; }; void set(inout S s) { s.a = 1.; s.b = 2.; }
-         float f() { S s; set(s); return s.a; }",
-        "",
-    );
-    check(
-        "void set(inout float a) { if (iTime > 1.) a = 1.; else a = 2.; }
-         float f() { float a; set(a); return a; }",
-        "",
-    );
-}
-
-#[test]
-fn reads_before_assignment_are_found() {
-    check("float f() { float a; return a; }", "a never");
-    check(
-        "float f(float x) { float a; if (x > 0.) a = 1.; return a; }",
-        "a read",
-    );
-    check(
-        "float f() { float a; for (int i = 0; i < 4; i++) a += 1.; return a; }",
-        "a never",
-    );
-    check("float f(float x) { float a = x; return a; }", "");
-    check(
-        "void f(out float d, float c) { for (;;) { if (c > 1.) break; d += c; } }",
-        "d never?, end",
-    );
-}
-
-#[test]
-fn assignments_in_earlier_iterations_count() {
-    check(
-        "float f(float x) { float s, l; for (int i = 0; i < 4; i++) { \
-         if (i == 0) s = 1.; else s += l; l = s; } return s; }",
-        "l read?, s read?",
-    );
-}
-
 /// What both operands of `?:` read is read whatever the condition is.
 #[test]
 fn reads_in_both_operands_of_a_conditional_are_unconditional() {
@@ -203,152 +151,5 @@ fn reads_in_both_operands_of_a_conditional_are_unconditional() {
     check(
         "x > 0. ? sin(d.x) : x < -1. ? sin(d.x) : 1.",
         "s never, d read?, d read?",
-    );
-}
-
-#[test]
-fn repeated_conditions_have_the_same_result() {
-    check(
-        "float f(float x) { float a; if (x > 0.) a = 1.; if (!(x > 0.)) a = 2.; return a; }",
-        "",
-    );
-    check(
-        "float f(float x) { float a; if (x > 0.) a = 1.; if (x <= 0.) a = 2.; return a; }",
-        "",
-    );
-    check(
-        "float f(bool b) { float a; if (b) a = 1.; if (b) return a; return 0.; }",
-        "",
-    );
-    check(
-        "float f(float x) { float a; if (x > 0.) a = 1.; x = -x; if (x > 0.) return a; return 0.; }",
-        "a read?",
-    );
-}
-
-#[test]
-fn compared_constants_count_as_all_values_of_an_integer() {
-    check(
-        "float f(int i) { float a; if (i == 0) a = 1.; else if (i == 1) a = 2.; return a; }",
-        "",
-    );
-    check(
-        "float f(int i) { float a; switch (i) { case 0: a = 1.; break; case 1: a = 2.; } return a; }",
-        "",
-    );
-    check(
-        "float f(int i) { float a; if (i == 0) a = 1.; return a; }",
-        "a read",
-    );
-    check(
-        "float f(int i) { if (i == 0) return 1.; else if (i == 1) return 2.; }",
-        "end",
-    );
-}
-
-#[test]
-fn unassigned_out_parameters_are_found() {
-    check(
-        "void f(float d, out float n) { if (d > 1.) return; n = 1.; }",
-        "n left, end",
-    );
-    check(
-        "void f(float d, out float n) { if (d > 1.) return; }",
-        "n never, end",
-    );
-    check("void f(float d, out float n) { n = d; }", "end");
-    check("float f(float d) { if (d > 1.) return 1.; }", "end");
-    check(
-        "float f(float d) { while (true) { if (d > 1.) return 1.; d += 1.; } }",
-        "",
-    );
-}
-
-#[test]
-fn exhaustive_comparisons_assign_on_every_path() {
-    check(
-        "float f(float x, float y) { float a; if (x <= y) a = 1.; else if (y < x) a = 2.; return a; }",
-        "",
-    );
-    check(
-        "float f(bool b, bool c) { if (b || c) { float a; if (b && c) a = 1.; else if (b && !c) a = 2.; \
-         else if (!b && c) a = 3.; return a; } return 0.; }",
-        "",
-    );
-    check(
-        "float f(vec3 p) { if (p.x >= max(p.y, p.z)) return 1.; if (p.y >= max(p.x, p.z)) return 2.; \
-         if (p.z >= max(p.y, p.x)) return 3.; }",
-        "",
-    );
-    check(
-        "float f(vec3 p) { float m = max(p.x, max(p.y, p.z)); if (p.x == m) return 1.; \
-         if (p.y == m) return 2.; if (p.z == m) return 3.; }",
-        "",
-    );
-    check(
-        "float f(vec3 p) { if (p.x >= max(p.y, p.z)) return 1.; if (p.y >= p.x) return 2.; \
-         if (p.z >= 9.) return 3.; }",
-        "end",
-    );
-    check(
-        "float f(float x) { x = fract(x); if (x < .5) return 1.; if (.5 <= x && x < 1.) return 2.; }",
-        "",
-    );
-    check(
-        "float f(float x) { if (x < .5) return 1.; if (.5 < x) return 2.; }",
-        "end",
-    );
-    check(
-        "float f(int i) { i &= 3; if (i == 0) return 1.; if (i == 1) return 2.; if (i > 1 && i < 4) return 3.; }",
-        "",
-    );
-    check(
-        "float f(int i) { switch (i & 1) { case 0: return 1.; case 1: return 2.; } }",
-        "",
-    );
-    check(
-        "float f(int i) { switch (i & 2) { case 0: return 1.; case 1: return 2.; } }",
-        "end",
-    );
-    check(
-        "float f(int i) { float a; if (i == 1) a = 1.; if (i == 2) a = 2.; return a; }",
-        "",
-    );
-    check(
-        "float f(float x) { float a; if (x > 1.) a = 1.; x += 1.; if (x <= 1.) a = 2.; return a; }",
-        "a read",
-    );
-}
-
-#[test]
-fn unused_arguments_may_be_unassigned() {
-    check(
-        "float g(float a, float b) { return b; } float h(float a) { return g(a, 1.); } \
-         float f() { float a; return h(a); }",
-        "",
-    );
-    check(
-        "float g(float a, float b) { return b; } float f() { float a; return g(1., a); }",
-        "a never",
-    );
-}
-
-#[test]
-fn members_are_assigned_separately() {
-    check(
-        "struct S { float a, b; }; float f() { S s; s.a = 1.; return s.b; }",
-        "s never",
-    );
-    check(
-        "struct S { float a, b; }; float f() { S s; s.a = 1.; s.b = 2.; return s.b + s.a; }",
-        "",
-    );
-    check(
-        "struct S { float a, b; }; S f() { S s; s.a = 1.; return s; }",
-        "",
-    );
-    check(
-        "struct S { vec2 a; float b; }; float f() { S s; s.a.x = 1.; return s.a.x; }",
-        "",
     );
 }
