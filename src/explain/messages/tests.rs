@@ -45,6 +45,14 @@ fn unclosed_initializer_lists_have_no_fix() {
 }
 
 #[test]
+fn a_comma_before_the_brace_of_an_initializer_list_goes() {
+    check(
+        "float g[2] = {1., f,};",
+        "GLSL ES has no initializer lists => float g[2] = float[](1., f);",
+    );
+}
+
+#[test]
 fn literals_are_rewritten_and_other_operands_converted() {
     check(
         "f = i * 2.;",

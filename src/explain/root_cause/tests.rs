@@ -7,7 +7,7 @@ const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
 
 /// The findings in `code`, each as `line:column rule` with lines counted in `code`, and the code
 /// with the first fix applied.
-fn found(code: &str) -> (Vec<String>, String) {
+pub(super) fn found(code: &str) -> (Vec<String>, String) {
     let text = format!("{HEAD}{code}");
     let Checked {
         program,

@@ -424,13 +424,13 @@ impl Parser<'_> {
         )
         .note("arrays, structs and vectors are built with constructors (section 5.4)")
         .help(format!("use `{constructor}(...)`"));
-        let edits = vec![
-            Edit::replace(
-                Span::new(span.start, span.start + 1),
-                format!("{constructor}("),
-            ),
-            Edit::replace(Span::new(span.end.saturating_sub(1), span.end), ")"),
-        ];
+        let start = Span::new(span.start, span.start + 1);
+        let mut edits = vec![Edit::replace(start, format!("{constructor}("))];
+        let before = self.token(self.last().saturating_sub(1) as usize);
+        if before.kind == TokenKind::Comma {
+            edits.push(Edit::delete(before.span));
+        }
+        edits.push(Edit::replace(last.span, ")"));
         let fix = is_flat.then(|| Fix::safe(format!("use `{constructor}(...)`"), edits));
         let token = self.token(first as usize);
         self.report_at(d.fix(fix), &token);

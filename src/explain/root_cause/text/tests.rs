@@ -1,6 +1,6 @@
 //! A mistake of the text is one error, and its fix leaves none.
 
-use super::super::tests::{check, main_with};
+use super::super::tests::{check, found, main_with};
 
 const TOP: &str = "float half_of(float x) { return 0.5 * x; }";
 
@@ -29,6 +29,13 @@ fn missing_spaces_are_found() {
         "structRay { vec3 o; };\nfloat f(Ray r) { return r.o.x; }",
         "1:1 syntax-error",
     );
+}
+
+#[test]
+fn names_of_macros_are_no_calls() {
+    let code = "#define abs absent_of\nfloat f(float x) { return abs(x); }";
+    let found = found(&main_with(code, "color = vec4(0.5);"));
+    assert_eq!(found.0, ["1:13 undeclared-name"]);
 }
 
 #[test]

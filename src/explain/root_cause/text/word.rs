@@ -269,7 +269,9 @@ impl FaultyShader<'_> {
             }
             return;
         }
-        if BuiltinId::named(word).is_none() || !self.is_plain(line, at + 1) {
+        // `#define texture lookup` defines the name.
+        let is_defined = at > 0 && line.token(at - 1) == "define";
+        if is_defined || BuiltinId::named(word).is_none() || !self.is_plain(line, at + 1) {
             return;
         }
         let mut last = at + 1;
