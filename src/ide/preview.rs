@@ -3,7 +3,7 @@
 use super::document::Document;
 use shaderlint_detect::kind::file_extension;
 use shaderlint_engine::Analysis;
-use shaderlint_project::{Project, ShaderError};
+use shaderlint_project::{GatheredText, Project, ShaderError, SiblingTexts, imported_hosts};
 use shaderlint_semantic::Stage;
 
 /// The shader that a preview of a document shows: the one at an offset, or the first that can be
@@ -28,7 +28,12 @@ pub fn preview_project(document: &Document, shader: usize) -> Result<Project, Sh
     let name = document.path.rsplit('/').next().unwrap_or("shader");
     let title = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let host = document.options.host.preset;
-    Project::draft(title, &text(document, analysis), host)
+    let around = match document.report.holds_shaders() {
+        true => imported_hosts(&document.text),
+        false => Vec::new(),
+    };
+    let own = GatheredText::of(&*text(document, analysis));
+    Project::draft_with_siblings(title, &own, (host, &around), &SiblingTexts::new())
 }
 
 /// The text of a shader: the document's own, if it is all of it.

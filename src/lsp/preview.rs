@@ -250,6 +250,8 @@ fn draft(snapshot: &Snapshot, document: &Document, shader: usize) -> Answer<Open
         return Ok(OpenedProject::of(project));
     }
     let access = document.options.file_access(&snapshot.files);
-    let draft = open_file(&document.path, &document.text, None, access);
-    draft.map_err(Failure::refused)
+    let opened = open_file(&document.path, &document.text, None, access);
+    let mut draft = opened.map_err(Failure::refused)?;
+    draft.order(&[]).map_err(Failure::refused)?;
+    Ok(draft)
 }

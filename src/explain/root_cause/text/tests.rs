@@ -32,7 +32,7 @@ fn missing_spaces_are_found() {
 }
 
 #[test]
-fn names_of_macros_are_no_calls() {
+fn names_of_macros_are_not_calls() {
     let code = "#define abs absent_of\nfloat f(float x) { return abs(x); }";
     let found = found(&main_with(code, "color = vec4(0.5);"));
     assert_eq!(found.0, ["1:13 undeclared-name"]);
