@@ -5,6 +5,7 @@ use shaderlint_detect::kind::file_extension;
 use shaderlint_engine::Analysis;
 use shaderlint_project::{GatheredText, Project, ShaderError, SiblingTexts, imported_hosts};
 use shaderlint_semantic::Stage;
+use shaderlint_text::Role;
 
 /// The shader that a preview of a document shows: the one at an offset, or the first that can be
 /// played.
@@ -28,12 +29,23 @@ pub fn preview_project(document: &Document, shader: usize) -> Result<Project, Sh
     let name = document.path.rsplit('/').next().unwrap_or("shader");
     let title = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let host = document.options.host.preset;
-    let around = match document.report.holds_shaders() {
-        true => imported_hosts(&document.text),
-        false => Vec::new(),
-    };
     let own = GatheredText::of(&*text(document, analysis));
+    let (own, around) = match document.report.holds_shaders() {
+        true => {
+            let line = first_line(analysis).unwrap_or(1);
+            (own.from_line(line), imported_hosts(&document.text))
+        }
+        false => (own, Vec::new()),
+    };
     Project::draft_with_siblings(title, &own, (host, &around), &SiblingTexts::new())
+}
+
+/// The line of a document in which the code of its shader starts.
+fn first_line(analysis: &Analysis) -> Option<u32> {
+    let sources = analysis.sources();
+    let codes = analysis.files().iter().filter_map(|id| sources.code(*id));
+    let base = codes.into_iter().find(|code| code.role == Role::User)?.base;
+    Some(sources.file_at(base)?.position(base).line)
 }
 
 /// The text of a shader: the document's own, if it is all of it.

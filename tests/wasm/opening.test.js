@@ -37,7 +37,8 @@ const { port } = MODULES;
 test("the module opens the projects of the programs", { skip: !port && "this module does not port" }, async () => {
   const shaderlint = await Shaderlint.load(port);
   const wrong = [];
-  for (const row of ROWS) {
+  // Only the programs read XML.
+  for (const row of ROWS.filter(({ open }) => !open.endsWith(".klproj"))) {
     const [file, line] = row.call;
     for (const isBroken of [false, true]) {
       const { output, errors, failure } = answers(shaderlint, row, filesOf(row, isBroken));
