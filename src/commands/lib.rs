@@ -3,6 +3,7 @@
 
 mod check;
 mod explain;
+mod format;
 #[cfg(feature = "cli")]
 mod port;
 mod reading;
@@ -11,6 +12,7 @@ mod scope;
 
 pub use check::{CheckRequest, CheckedText, FindingKey, check, print};
 pub use explain::{explain, rule_list, rule_page, rule_table};
+pub use format::FormatRequest;
 #[cfg(feature = "cli")]
 pub use port::PortRequest;
 pub use reading::{Recognition, reading};

@@ -1,14 +1,13 @@
 //! Answers requests.
 
 use super::files::{MemoryFiles, options_of};
-use super::requests::{CheckParams, FixRequest, FormatRequest, ModuleRequest, TextInput};
+use super::requests::{CheckParams, FixRequest, FormatParams, ModuleRequest, TextInput};
 use super::result::RequestResult;
 use super::server::InstantServer;
 use serde_json::{Value, json};
 use shaderlint_commands::{Recognition, explain, print, rule_list, rule_page};
 use shaderlint_detect::kind::Claim;
 use shaderlint_engine::{Options, fix_text, format};
-use shaderlint_format::{Indentation, StyleChoice};
 use shaderlint_host::host_named;
 use shaderlint_lint::Allow;
 use shaderlint_report::{Format, Reporter};
@@ -126,17 +125,13 @@ fn fix(request: FixRequest) -> RequestResult {
 }
 
 /// `format`: the formatted text, and the parts that were left as they are.
-fn formatted(request: &FormatRequest) -> RequestResult {
-    let choice = StyleChoice {
-        indent: request.indent.map(|spaces| match spaces {
-            0 => Indentation::Tab(4),
-            spaces => Indentation::Spaces(spaces.min(16)),
-        }),
-        width: request.line_length,
-        ..StyleChoice::default()
-    };
-    let FormatRequest { name, text, .. } = request;
-    let formatted = format(name, text, Claim::None, choice);
+fn formatted(request: &FormatParams) -> RequestResult {
+    let FormatParams {
+        name,
+        text,
+        request,
+    } = request;
+    let formatted = format(name, text, Claim::None, request.choice());
     let formatted = formatted.map_err(|decision| format!("{name}: skipped: {decision}"))?;
     let new = apply_edits(text, 0, &formatted.edits);
     let new = new.map_err(|_| format!("{name}: internal error: edits overlap"))?;

@@ -70,7 +70,7 @@ pub fn valid(shader: &ShaderText) -> Result<Loaded, String> {
 /// Opens a shader, an export or passes, as the command line does.
 fn draft(shader: &ShaderText) -> Result<OpenedProject, String> {
     let files = Arc::new(shader.all_files());
-    let first = shader.passes.keys().next().map(|path| slashed(path));
+    let first = shader.passes.keys().next().map(slashed);
     let place = first.as_deref().unwrap_or(&shader.name);
     let options = options_of(&files, place, Selection::default())?;
     let access = options.file_access(&*files);

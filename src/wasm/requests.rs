@@ -2,7 +2,7 @@
 
 use lsp_server::Message;
 use serde::Deserialize;
-use shaderlint_commands::CheckRequest;
+use shaderlint_commands::{CheckRequest, FormatRequest};
 use shaderlint_report::Format;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ pub enum ModuleRequest {
     /// Applies fixes to a text.
     Fix(FixRequest),
     /// Formats a text.
-    Format(FormatRequest),
+    Format(FormatParams),
     /// Draws a shader.
     #[cfg(feature = "port")]
     Run(Box<super::run::RunParams>),
@@ -93,14 +93,13 @@ pub struct FixRequest {
 
 /// The request `format`.
 #[derive(Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct FormatRequest {
+#[serde(deny_unknown_fields)]
+pub struct FormatParams {
     /// Name of the file; its extension selects the kind of file.
     pub name: String,
     /// Contents of the file.
     pub text: String,
-    /// Spaces per level; 0 for tabs.
-    pub indent: Option<u32>,
-    /// Maximum length of a line.
-    pub line_length: Option<u32>,
+    /// The style.
+    #[serde(flatten)]
+    pub request: FormatRequest,
 }

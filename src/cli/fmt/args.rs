@@ -1,5 +1,6 @@
 //! The arguments of `shaderlint fmt`.
 
+use crate::commands::FormatRequest;
 use crate::engine::config::{ConfigArgs, Exclusion};
 use clap::Parser;
 use std::path::PathBuf;
@@ -7,7 +8,8 @@ use std::path::PathBuf;
 /// Format shaders; only white space changes.
 ///
 /// Tokens and comments are never changed. Three settings in `shaderlint.toml` (`format.indent`,
-/// `format.width`, `format.brace`) or their equivalents in `.editorconfig` control the style.
+/// `format.width`, `format.brace`), their equivalents in `.editorconfig` or the options here control the
+/// style.
 #[derive(Parser, Debug)]
 #[command(after_help = "\
 Exit codes:
@@ -24,6 +26,9 @@ pub struct FormatArgs {
     /// Show the changes as a diff without writing files
     #[arg(long, help_heading = "Output")]
     pub diff: bool,
+    /// The style
+    #[command(flatten)]
+    pub request: FormatRequest,
     /// Apply the `exclude` setting to files named on the command line too
     #[arg(long, help_heading = "Files")]
     pub force_exclude: bool,

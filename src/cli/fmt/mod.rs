@@ -12,6 +12,7 @@ use super::global::given;
 use super::input::{InputFile, collect, read};
 use super::output::{diff, replace};
 use super::parallel::in_order;
+use crate::commands::FormatRequest;
 use crate::diagnostic::count;
 use crate::engine::config::Configs;
 use crate::engine::{Formatting, format};
@@ -37,7 +38,7 @@ pub fn run(args: &FormatArgs) -> io::Result<u8> {
     let work = |index: usize| {
         inputs
             .get(index)
-            .map(|input| (input, examine(input, &configs)))
+            .map(|input| (input, examine(input, args.request, &configs)))
     };
     in_order(inputs.len(), &work, &mut |done| match done {
         Some((input, outcome)) => tally.outcome(args, input, outcome),
@@ -79,9 +80,9 @@ struct FormatTally {
 }
 
 /// Formats an input without writing it.
-fn examine(input: &InputFile, configs: &Configs) -> FormatOutcome {
+fn examine(input: &InputFile, request: FormatRequest, configs: &Configs) -> FormatOutcome {
     let style = match style(configs, Path::new(&input.name), StyleChoice::default()) {
-        Ok(style) => style,
+        Ok(style) => request.choice().or(style),
         Err(message) => return FormatOutcome::Failed(message.to_string()),
     };
     let content = match read(input) {

@@ -5,6 +5,7 @@ use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
 use super::tool::{Args, Tool, ToolWrites};
 use crate::cli::command::FAILED;
+use crate::commands::FormatRequest;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -18,6 +19,8 @@ pub struct FormatTool {
     code: Option<String>,
     /// File name of `code`; its extension selects the kind of file
     name: Option<String>,
+    #[serde(flatten)]
+    request: FormatRequest,
     /// Write the formatted files; otherwise the answer is a diff
     #[serde(default)]
     write: bool,
@@ -34,6 +37,12 @@ impl Tool for FormatTool {
         let input = ToolInput::of(self.path.as_ref(), self.code.as_ref())?;
         let mut args = Args::of(&["fmt"]);
         args.option("--stdin-filename", self.name);
+        let FormatRequest {
+            indent,
+            line_length,
+        } = self.request;
+        args.option("--indent", indent.map(|n| n.to_string()));
+        args.option("--line-length", line_length.map(|n| n.to_string()));
         match (input, self.write) {
             (ToolInput::Code(_), true) => {
                 return Err("`write` requires `path`: only files can be written".to_string());
