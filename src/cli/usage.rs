@@ -86,7 +86,21 @@ fn misplaced(root: &Command, matches: &ArgMatches) -> Option<String> {
     let word = first.to_str()?;
     let is_word = !word.contains(['.', '/', '\\', ':']) && !first.exists();
     let known = is_word.then(|| known(root, root, Some(word)))?;
-    question(word, &nearest(word, known.into_iter())?)
+    let near = nearest(word, known.into_iter());
+    let question = near.and_then(|near| question(word, &near));
+    question.or_else(|| no_command(root, word).filter(|_| paths.len() > 1))
+}
+
+/// A word before files that is neither a command nor a file.
+fn no_command(root: &Command, word: &str) -> Option<String> {
+    let commands = root.get_subcommands().filter(|own| !own.is_hide_set());
+    let names: Vec<String> = commands
+        .map(|own| format!("`{}`", own.get_name()))
+        .collect();
+    let names = names.join(", ");
+    Some(format!(
+        "`{word}` is neither a command nor a file; commands: {names}"
+    ))
 }
 
 /// What is right instead of an argument that clap does not expect.

@@ -53,6 +53,10 @@ fn wrong_arguments_of_shaderlint_get_the_right_ones() {
             "`explain` requires a name; `shaderlint rules` lists",
         ),
         (
+            "draw water.glsl",
+            "`draw` is neither a command nor a file; commands: `check`, ",
+        ),
+        (
             "--fix run water.glsl",
             "`--fix` is no option of all commands",
         ),

@@ -1,7 +1,7 @@
 //! ShaderToy passes in separate files: which files of a folder form a project.
 
 use super::FileType;
-use super::passes::role;
+use super::pass_name::role;
 use crate::PassRole;
 use crate::access::FileAccess;
 use crate::dialect::has_directives;

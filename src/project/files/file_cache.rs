@@ -39,7 +39,11 @@ impl FileCache {
         let found = of_version(&self.passes, files, folder, || {
             Some(Passes::inside(files, folder))
         });
-        found.unwrap_or_default()
+        let found = found.unwrap_or_default();
+        for path in &found.manifests {
+            files.depends_on(Dependency::Text(path));
+        }
+        found
     }
 
     /// The packages of a folder's project; `find` computes them.

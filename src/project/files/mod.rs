@@ -2,6 +2,8 @@
 
 pub mod family;
 pub mod file_cache;
+pub mod manifest;
+pub mod pass_name;
 pub mod passes;
 pub mod repository;
 pub mod scan;

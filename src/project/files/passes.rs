@@ -1,8 +1,9 @@
 //! The files of a folder that contain the passes of a ShaderToy project.
 
 use super::Files;
+use super::manifest::Manifest;
+use super::pass_name::{role, shader_stem};
 use crate::PassRole;
-use shaderlint_host::shadertoy;
 use std::path::{Path, PathBuf};
 
 /// Maximum number of files in a folder that are examined.
@@ -18,6 +19,8 @@ pub struct Passes {
     named: Vec<(PassRole, String, PathBuf)>,
     /// Other shaders, with their names in lower case and without the extension.
     others: Vec<(String, PathBuf)>,
+    /// The files of other tools that may name passes.
+    pub manifests: Vec<PathBuf>,
 }
 
 impl Passes {
@@ -27,16 +30,33 @@ impl Passes {
         names.truncate(MAX_FILES);
         names.sort();
         let mut found = Passes::default();
-        for name in names {
-            let path = folder.join(&name);
-            match (role(&name), shader_stem(&name)) {
+        for name in &names {
+            let path = folder.join(name);
+            match (role(name), shader_stem(name)) {
                 (Some((role, prefix)), _) => found.named.push((role, prefix, path)),
                 (None, Some(stem)) => found.others.push((stem.to_lowercase(), path)),
                 (None, None) => {}
             }
         }
+        if !found.others.is_empty() {
+            found.follow(Manifest::among(&names, folder, files));
+        }
         found.named.sort();
         found
+    }
+
+    /// Takes the passes without the name of one from the first file of another tool that connects
+    /// passes, where no file has the name.
+    fn follow(&mut self, manifests: Vec<Manifest>) {
+        self.manifests = manifests.iter().map(|m| m.path.clone()).collect();
+        let first = manifests.into_iter().find(|m| !m.channels.is_empty());
+        for (role, path) in first.into_iter().flat_map(|m| m.passes) {
+            let mut named = self.named.iter();
+            if !named.any(|(known, _, own)| *known == role || *own == path) {
+                self.others.retain(|(_, own)| *own != path);
+                self.named.push((role, String::new(), path));
+            }
+        }
     }
 
     /// The passes of the same project: all passes of the folder or, if it contains several
@@ -107,47 +127,11 @@ impl Passes {
     }
 }
 
-/// Whether a file has an extension of passes.
-pub fn is_shader(name: &str) -> bool {
-    shader_stem(name).is_some()
-}
-
-/// The name of a shader file without its extension.
-fn shader_stem(name: &str) -> Option<&str> {
-    let (stem, extension) = name.rsplit_once('.')?;
-    let extension = extension.to_ascii_lowercase();
-    shadertoy().filter(|host| host.has_extension(&extension))?;
-    Some(stem)
-}
-
-/// The pass that a file name denotes, and the prefix before it.
-pub fn role(name: &str) -> Option<(PassRole, String)> {
-    let stem = shader_stem(name)?;
-    let role = PassRole::of_name(stem)?;
-    let mut starts = stem.char_indices().map(|(at, _)| at).rev();
-    let after = |at: &usize| PassRole::of_name(stem.get(*at..).unwrap_or("")) == Some(role);
-    let prefix = stem.get(..starts.find(after)?)?;
-    let prefix = prefix.trim_end_matches(|c: char| !c.is_alphanumeric());
-    Some((role, prefix.to_lowercase()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::collections::BTreeMap;
     use std::sync::Arc;
-
-    #[test]
-    fn file_names_identify_passes_and_projects() {
-        let shown = |name: &str| role(name).map(|(r, p)| (r.name(), p));
-        let some = |role, prefix: &str| Some((role, prefix.to_string()));
-        assert_eq!(shown("Common.glsl"), some("common", ""));
-        assert_eq!(shown("BufferA.frag"), some("buffer_a", ""));
-        assert_eq!(shown("Ocean-Image.GLSL"), some("image", "ocean"));
-        assert_eq!(shown("ocean.buf_b.glsl"), some("buffer_b", "ocean"));
-        assert_eq!(shown("noise.glsl"), None);
-        assert_eq!(shown("image.png"), None);
-    }
 
     #[test]
     fn several_image_passes_are_not_a_project() {

@@ -4,14 +4,12 @@
 //! the form of the part of `--channel` after the `=`. Paths are relative to the file's folder and
 //! must not leave it, since the user may not have written a downloaded file.
 
-use crate::files::passes::role;
+use crate::files::manifest::CHANNELS;
+use crate::files::pass_name::role;
 use crate::files::{FileType, Files};
 use crate::{ChannelOrder, ChannelSource, InputKind, Media, PassRole, Project, unknown_source};
 use shaderlint_text::path::slashed;
 use std::path::{Path, PathBuf};
-
-/// The name of the file of orders.
-pub const CHANNELS: &str = "channels.toml";
 
 /// A channel order, and its origin as a prefix for error messages.
 #[derive(Clone, Debug)]

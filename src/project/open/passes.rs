@@ -1,7 +1,7 @@
 //! Opens passes in separate files: those of a folder, those beside a pass, those that are named.
 
 use super::accept::{reject_other_languages, title};
-use super::manifest::{Manifest, manifest};
+use super::manifest::{ManifestOrders, manifest_orders};
 use super::opened::OpenedProject;
 use crate::access::FileAccess;
 use crate::dialect::has_directives;
@@ -36,12 +36,10 @@ pub(super) fn open_family(
         false => loaded(path, access),
     };
     let folder = own.parent().unwrap_or(Path::new(""));
-    let found = manifest(folder, access.files);
-    add_missing(&mut passes, &found);
     let mut draft = opened(&folder_title(folder, access), &passes, read, access)?;
     match family.is_saver {
         true => draft.project.link_programs(),
-        false => draft.follow(found, &passes),
+        false => draft.follow(manifest_orders(folder, access.files), &passes),
     }
     let others = passes.iter().filter(|(_, path)| path != own);
     let others: Vec<String> = others.map(|(_, path)| file_name(path)).collect();
@@ -62,7 +60,7 @@ pub(super) struct FoundPasses {
     pub files: Vec<(PassRole, PathBuf)>,
     /// The name of the folder that they are in.
     pub title: String,
-    manifest: Manifest,
+    manifest: ManifestOrders,
     is_saver: bool,
 }
 
@@ -87,13 +85,8 @@ pub(super) fn found_passes(
     }
     for path in paths {
         if is_folder(path) {
-            found.manifest = manifest(path, access.files);
-            match folder_passes(path, access) {
-                Ok(passes) => found.files.extend(passes),
-                Err(error) if found.manifest.passes.is_empty() => return Err(error),
-                Err(_) => {}
-            }
-            add_missing(&mut found.files, &found.manifest);
+            found.manifest = manifest_orders(path, access.files);
+            found.files.extend(folder_passes(path, access)?);
             continue;
         }
         let role = PassRole::of_name(&title(path)).ok_or_else(|| {
@@ -119,19 +112,9 @@ pub(super) fn open_found(found: FoundPasses, access: FileAccess) -> Result<Opene
     Ok(draft)
 }
 
-/// Adds the files of passes that have no file by their names.
-fn add_missing(passes: &mut Vec<(PassRole, PathBuf)>, found: &Manifest) {
-    for (role, path) in &found.passes {
-        let is_it = |(known, own): &(PassRole, PathBuf)| known == role || own == path;
-        if !passes.iter().any(is_it) {
-            passes.push((*role, path.clone()));
-        }
-    }
-}
-
 impl OpenedProject {
     /// Follows what the file of another tool says about these passes.
-    fn follow(&mut self, found: Manifest, passes: &[(PassRole, PathBuf)]) {
+    fn follow(&mut self, found: ManifestOrders, passes: &[(PassRole, PathBuf)]) {
         let has = |role: PassRole| passes.iter().any(|(own, _)| *own == role);
         self.orders.extend(found.orders.into_iter().filter(|given| {
             let source = match given.order.source {
