@@ -36,11 +36,11 @@ pub fn open_file(
         let project = Project::from_json(text).map_err(|e| wrong(e.to_string()))?;
         return OpenedProject::of(project).placed(Path::new(name), access);
     }
-    let is_description = start.starts_with('<');
+    let held = held(name, text).map_err(wrong)?;
+    let is_description = held.is_none() && start.starts_with('<');
     if is_description && !text.contains("<klxml") {
         return Err(wrong("expected a shader, found HTML or XML".to_string()));
     }
-    let held = held(name, text).map_err(wrong)?;
     let script = held.as_ref().map_or("", |_| text);
     let own = held.as_ref().map_or(text, |held| &held.code);
     let unversioned = without_version(own);
