@@ -169,8 +169,8 @@ fn every_front_opens_the_same_project() {
     let mut wrong = Vec::new();
     for row in &rows() {
         for (front, answer) in FRONTS {
-            // A preview is of a document, and counts the lines of a shader in it from its start.
-            if *front == "preview" && (row.is_folder() || row.open.ends_with(".kdl")) {
+            // A preview is of a document.
+            if *front == "preview" && row.is_folder() {
                 continue;
             }
             for is_broken in [false, true] {
