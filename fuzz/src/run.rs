@@ -125,7 +125,11 @@ fn agrees_by_quads(analysis: &Analysis, watch: Watch) -> Option<Pixels> {
             let is_same = quad.covered[lane] == full.covered[at];
             assert!(is_same, "single pixel {x}, {y}");
             for (quad, full) in quad.outputs.iter().zip(&full.outputs) {
-                assert!(quad[lane] == full[at], "single pixel {x}, {y}");
+                let (alone, framed) = (quad[lane], full[at]);
+                assert!(
+                    alone == framed,
+                    "single pixel {x}, {y}: {alone:08x?}, in the frame {framed:08x?}"
+                );
             }
         }
     }

@@ -538,6 +538,8 @@ pub(super) enum F1 {
     DifferenceY,
     /// Rounds to half precision (16 bits).
     Half,
+    /// The bits of a float, the same for every NaN.
+    BitsOfFloat,
 }
 
 /// Binary operations.

@@ -5,7 +5,8 @@ use super::draw::{Draw, Stop};
 use super::observations::Observations;
 use super::row::LANES;
 use super::vm::{Tile, Vm};
-use shaderlint_math::hash;
+use shaderlint_math::{bits_of, hash};
+use shaderlint_semantic::Scalar;
 use std::sync::Mutex;
 
 /// A rendered image. Rows are ordered bottom to top, like `gl_FragCoord`.
@@ -185,11 +186,15 @@ fn at(row: &[u32; LANES], lane: usize) -> u32 {
     row.get(lane).copied().unwrap_or(0)
 }
 
-/// The first four scalars of an output.
+/// The first four scalars of an output; every NaN has the same bits.
 fn scalars_of(vm: &Vm<'_>, slot: &OutputSlot) -> [[u32; LANES]; 4] {
+    let is_float = slot.ty.scalar_kind() == Some(Scalar::Float);
     let mut rows = [[0; LANES]; 4];
     for (row, reg) in rows.iter_mut().zip(&slot.regs) {
         *row = vm.row(*reg).0;
+        if is_float {
+            *row = row.map(|bits| bits_of(f32::from_bits(bits)));
+        }
     }
     rows
 }

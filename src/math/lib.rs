@@ -30,7 +30,7 @@ pub use integer::{
 };
 pub use level::{Baseline, Faster, baseline, faster};
 pub use packing::{
-    half_bits, half_value, pack_half, pack_snorm, pack_unorm, unpack_half, unpack_snorm,
+    bits_of, half_bits, half_value, pack_half, pack_snorm, pack_unorm, unpack_half, unpack_snorm,
     unpack_unorm,
 };
 pub use sine::sine;

@@ -70,9 +70,20 @@ fn join<S: Simd>(x: f32x8<S>, y: f32x8<S>, f: impl Fn(f32x8<S>) -> i32x8<S>) -> 
     (x & 0xffff) | (y << 16)
 }
 
+/// `floatBitsToUint(x)`: the bits of a float, the same for every NaN. Which of them an operation results
+/// in is up to the compiler of this crate (in `a + b` it may swap the operands), so that neither a shader
+/// nor its outputs may show it.
+pub const fn bits_of(x: f32) -> u32 {
+    if x.is_nan() {
+        f32::NAN.to_bits()
+    } else {
+        x.to_bits()
+    }
+}
+
 /// Rounds a float to half precision (16 bits).
 pub fn half_bits(x: f32) -> u16 {
-    let sign = if x.is_sign_negative() { 0x8000 } else { 0 };
+    let sign = (bits_of(x) >> 16) as u16 & 0x8000;
     let bits = x.abs().to_bits();
     sign | if x.is_nan() {
         0x7fff

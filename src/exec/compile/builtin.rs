@@ -369,7 +369,7 @@ enum Recipe {
     Times(f32),
     /// The second operation after the first (`max`, then `min`).
     Clamp(F2, F2),
-    /// A reinterpretation of the bits.
+    /// A reinterpretation of the bits as a float.
     SameBits,
     /// A reduction of all components by a binary operation.
     AllOf(F2),
@@ -428,7 +428,8 @@ fn recipe(function: BuiltinId, scalar: Scalar, arguments: usize, chooses: bool) 
         B::Mix if chooses => Three(F3::Select, [2, 1, 0]), B::Mix => Three(F3::Mix, [0, 1, 2]),
         B::Step => Two(F2::Step), B::Smoothstep => Three(F3::Smoothstep, [0, 1, 2]),
         B::IsNan => One(F1::IsNan), B::IsInf => One(F1::IsInf),
-        B::FloatBitsToInt | B::FloatBitsToUint | B::IntBitsToFloat | B::UintBitsToFloat => SameBits,
+        B::FloatBitsToInt | B::FloatBitsToUint => One(F1::BitsOfFloat),
+        B::IntBitsToFloat | B::UintBitsToFloat => SameBits,
         B::PackSnorm2x16 => Pack(F2::PackSnorm), B::PackUnorm2x16 => Pack(F2::PackUnorm),
         B::PackHalf2x16 => Pack(F2::PackHalf),
         B::UnpackSnorm2x16 => Unpack(F1::SnormLow, F1::SnormHigh),

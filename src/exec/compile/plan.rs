@@ -190,14 +190,7 @@ fn is_alias(kind: OpKind) -> bool {
             | OpKind::Compose(_)
             | OpKind::Extract(..)
             | OpKind::Convert(_)
-            | OpKind::Builtin(
-                B::Transpose
-                    | B::FloatBitsToInt
-                    | B::FloatBitsToUint
-                    | B::IntBitsToFloat
-                    | B::UintBitsToFloat,
-                _
-            )
+            | OpKind::Builtin(B::Transpose | B::IntBitsToFloat | B::UintBitsToFloat, _)
     )
 }
 

@@ -233,6 +233,10 @@ fn rarer_one<S: Simd>(mut parts: Parts<'_, S>, f: F1, to: Reg, a: Reg) {
         F1::Log2 => parts.float_one(to, a, inlined!(|x| m::log2(x))),
         F1::IsNan => parts.one(to, a, |a| truth(floats(a).is_nan())),
         F1::IsInf => parts.one(to, a, |a| truth(floats(a).is_infinite())),
+        F1::BitsOfFloat => parts.one(to, a, |a| {
+            let nan = u32x8::splat(a.token(), math::bits_of(f32::NAN));
+            bit_select(truth(floats(a).is_nan()), nan, a)
+        }),
         F1::IntNegate => parts.one(to, a, |a| 0 - a),
         F1::IntAbs => parts.one(to, a, inlined!(|a| of_signed(signed(a).abs()))),
         F1::IntSign => parts.one(to, a, |a| {

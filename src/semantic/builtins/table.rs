@@ -11,7 +11,7 @@ use crate::fold::Folding::{ByColumns, Never, Values};
 use crate::fold::*;
 use crate::undefined::Undefined;
 use shaderlint_math as math;
-use shaderlint_math::{half_bits, half_value, of_one, of_two};
+use shaderlint_math::{bits_of, half_bits, half_value, of_one, of_two};
 use shaderlint_text::WordIndex;
 use std::f32::consts::PI;
 use std::f64;
@@ -110,8 +110,8 @@ table! {
     Smoothstep           "smoothstep"            Math, SPECIAL, Ramp,                        NO_RISE,         Values(smoothstep);
     IsNan                "isnan"                 Math, ONE,     Unknown,                     NEVER,           Values(|a| each(a, |x| Value::Bool(x.as_float().is_nan())));
     IsInf                "isinf"                 Math, ONE,     Unknown,                     NEVER,           Values(|a| each(a, |x| Value::Bool(x.as_float().is_infinite())));
-    FloatBitsToInt       "floatBitsToInt"        Math, ONE,     Unknown,                     NEVER,           Values(|a| each(a, |x| Value::Int(x.as_float().to_bits() as i32)));
-    FloatBitsToUint      "floatBitsToUint"       Math, ONE,     Unknown,                     NEVER,           Values(|a| each(a, |x| Value::Uint(x.as_float().to_bits())));
+    FloatBitsToInt       "floatBitsToInt"        Math, ONE,     Unknown,                     NEVER,           Values(|a| each(a, |x| Value::Int(bits_of(x.as_float()) as i32)));
+    FloatBitsToUint      "floatBitsToUint"       Math, ONE,     Unknown,                     NEVER,           Values(|a| each(a, |x| Value::Uint(bits_of(x.as_float()))));
     IntBitsToFloat       "intBitsToFloat"        Math, ONE,     Unknown,                     NEVER,           Values(float_of_bits);
     UintBitsToFloat      "uintBitsToFloat"       Math, ONE,     Unknown,                     NEVER,           Values(float_of_bits);
 
