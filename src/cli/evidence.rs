@@ -2,10 +2,11 @@
 
 use super::disk::Disk;
 use super::global::{Talk, given};
-use crate::engine::Options;
+use crate::engine::config::Configs;
 use crate::project::{NoMedia, OpenedProject, open_file};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
+use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 /// What has been reported: a command may open a file several times.
@@ -18,10 +19,16 @@ pub fn opened(name: &str, opened: &OpenedProject) {
 }
 
 /// With `-v`, reports what belongs to a file, and what was guessed, for other commands.
-pub fn file(name: &str, text: &str, options: &Options, disk: &Disk) {
-    if given().talk() == Talk::Verbose
-        && let Ok(mut found) = open_file(name, text, options.host.preset, options.file_access(disk))
-    {
+pub fn file(name: &str, text: &str, configs: &Configs) {
+    if given().talk() < Talk::Verbose {
+        return;
+    }
+    let disk = Disk::new();
+    let Ok(options) = configs.options(Path::new(name)) else {
+        return;
+    };
+    let access = options.file_access(&disk);
+    if let Ok(mut found) = open_file(name, text, options.host.preset, access) {
         // Channels are guessed last, where the orders leave them free.
         let _ = found.project.resolve(name);
         let _ = found.project.put_all(&found.orders, &mut NoMedia);

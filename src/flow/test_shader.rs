@@ -5,6 +5,16 @@ use shaderlint_syntax::Search;
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
+/// The cases of a table: lines `code => what is found`, without headings and comments.
+pub(super) fn cases(table: &str) -> impl Iterator<Item = (&str, &str)> {
+    let lines = table.lines();
+    let lines = lines.filter(|line| !line.is_empty() && !line.starts_with('#'));
+    lines.map(|line| {
+        let (code, found) = line.split_once(" =>").unwrap();
+        (code, found.trim())
+    })
+}
+
 /// Checks the code of a ShaderToy image pass and asserts that it has no errors.
 pub(super) fn checked(code: &str) -> CheckedShader {
     let mut sources = Sources::default();

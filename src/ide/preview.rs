@@ -30,12 +30,14 @@ pub fn preview_project(document: &Document, shader: usize) -> Result<Project, Sh
     let title = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let host = document.options.host.preset;
     let own = GatheredText::of(&*text(document, analysis));
-    let (own, around) = match document.report.holds_shaders() {
-        true => {
-            let line = first_line(analysis).unwrap_or(1);
-            (own.from_line(line), imported_hosts(&document.text))
-        }
-        false => (own, Vec::new()),
+    let is_part = document.report.holds_shaders();
+    let own = match first_line(analysis).filter(|_| is_part) {
+        Some(line) => own.from_line(line),
+        None => own,
+    };
+    let around = || match is_part {
+        true => imported_hosts(&document.text),
+        false => Vec::new(),
     };
     Project::draft_with_siblings(title, &own, (host, &around), &SiblingTexts::new())
 }

@@ -14,7 +14,6 @@ use shaderlint_port::{Destination, Target};
 use shaderlint_port::{build, player_data as data_of};
 use shaderlint_project::Composed;
 use shaderlint_semantic::{Dialect, Pass};
-use std::sync::Arc;
 
 /// A shader or export, and what it is ported to.
 #[derive(Deserialize)]
@@ -77,7 +76,7 @@ fn operations(shader: &ShaderText) -> (f64, bool) {
         run_samples: Some(0),
         ..Selection::default()
     };
-    let files = Arc::new(shader.all_files());
+    let files = shader.all_files();
     let options = options_of(&files, &shader.name, selection).unwrap_or_default();
     let mut reports: Vec<Report> = Vec::new();
     if shader.passes.is_empty() {

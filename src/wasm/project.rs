@@ -34,8 +34,8 @@ pub struct ShaderText {
 
 impl ShaderText {
     /// The passes, and the other files.
-    pub fn all_files(&self) -> MemoryFiles {
-        MemoryFiles::new(self.passes.iter().chain(&self.files))
+    pub fn all_files(&self) -> Arc<MemoryFiles> {
+        Arc::new(MemoryFiles::new(self.passes.iter().chain(&self.files)))
     }
 }
 
@@ -69,7 +69,7 @@ pub fn valid(shader: &ShaderText) -> Result<Loaded, String> {
 
 /// Opens a shader, an export or passes, as the command line does.
 fn draft(shader: &ShaderText) -> Result<OpenedProject, String> {
-    let files = Arc::new(shader.all_files());
+    let files = shader.all_files();
     let first = shader.passes.keys().next().map(slashed);
     let place = first.as_deref().unwrap_or(&shader.name);
     let options = options_of(&files, place, Selection::default())?;

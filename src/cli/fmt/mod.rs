@@ -6,7 +6,6 @@ pub use args::FormatArgs;
 
 use super::command::{CLEAN, FAILED, FINDINGS};
 use super::config::{configs, style};
-use super::disk::Disk;
 use super::evidence;
 use super::global::given;
 use super::input::{InputFile, collect, read};
@@ -91,9 +90,7 @@ fn examine(input: &InputFile, request: FormatRequest, configs: &Configs) -> Form
         Err(message) => return FormatOutcome::Failed(message),
     };
     let old = content.text;
-    if let Ok(options) = configs.options(Path::new(&input.name)) {
-        evidence::file(&input.name, &old, &options, &Disk::new());
-    }
+    evidence::file(&input.name, &old, configs);
     let Formatting { edits, left } = match format(&input.name, &old, input.claim, style) {
         Ok(formatting) => formatting,
         Err(decision) => return FormatOutcome::Skipped(decision.to_string(), old),

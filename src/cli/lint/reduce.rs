@@ -149,7 +149,7 @@ fn by_findings(args: &ReduceArgs, name: String, text: &str) -> Result<Keeps, Str
     });
     let options = configs.options(&args.file).map_err(|e| e.to_string())?;
     let disk = Disk::new();
-    evidence::file(&name, text, &options, &disk);
+    evidence::file(&name, text, &configs);
     let found = move |text: &str, errors_only: bool| -> BTreeSet<String> {
         let all = check(&name, text, &options, &disk).diagnostics;
         let all = all

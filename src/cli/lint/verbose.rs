@@ -28,7 +28,7 @@ pub fn read(input: &InputFile, report: &Report, configs: &Configs) {
     complain(&format!("{}: checked as {read_as}; {config}", input.name));
     let file = report.file.and_then(|id| report.sources.file(id));
     if let Some(file) = file {
-        evidence::file(&input.name, &file.text, &options, disk);
+        evidence::file(&input.name, &file.text, configs);
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::super::command::{CLEAN, FAILED, FINDINGS, complain};
 use super::super::config::{absolute, configs};
-use super::super::disk::Disk;
 use super::super::evidence;
 use super::super::port::read_text;
 use super::pages::PageFiles;
@@ -47,9 +46,8 @@ pub fn references(args: &ReferencesArgs) -> io::Result<u8> {
             return Ok(FAILED);
         }
     };
-    if let Ok(options) = configs(ConfigArgs::default()).options(&args.file) {
-        evidence::file(&slashed(&args.file), &text, &options, &Disk::new());
-    }
+    let configs = configs(ConfigArgs::default());
+    evidence::file(&slashed(&args.file), &text, &configs);
     let session = opened(&uri(args), &text);
     let found = uses(&session, args, &text);
     let groups: Vec<String> = found.iter().map(|uses| group(&session, uses)).collect();

@@ -6,6 +6,7 @@ use super::read::read_text;
 use crate::cli::config::{configs, host_of};
 use crate::cli::disk::Disk;
 use crate::cli::evidence;
+use crate::commands::run::InputRequest;
 use crate::engine::config::{ConfigArgs, Configs};
 use crate::engine::{Options, Repairs, modernize, repair};
 use crate::host::Preset;
@@ -258,19 +259,16 @@ pub(in crate::cli) fn draft(
     from: Option<&str>,
     channels: &[String],
 ) -> Result<(OpenedProject, Composed), String> {
-    let configs = configs(ConfigArgs::default());
-    let host = named_host(from)?;
-    let mut opened = match path.is_dir() {
-        true => {
-            let options = options_at(path, &configs)?;
-            let paths = [path.to_path_buf()];
-            open_passes(&paths, &[], options.file_access(&Disk::new()))?
-        }
-        false => open_one(path, None, host, &configs)?,
+    let args = PortArgs {
+        input: vec![path.to_path_buf()],
+        source: InputRequest {
+            host: from.map(str::to_string),
+            channels: channels.to_vec(),
+        },
+        ..PortArgs::default()
     };
-    opened.order(channels)?;
-    let name = slashed(path);
-    evidence::opened(&name, &opened);
+    let mut opened = open(&args, &configs(ConfigArgs::default()))?;
+    let name = name_of(&args);
     let composed = (opened.project.resolve(&name)).map_err(|e| format!("{name}: {e}"))?;
     // Most other hosts run desktop GLSL.
     if opened.project.host.is_some()

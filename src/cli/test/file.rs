@@ -71,7 +71,7 @@ fn judge(input: &InputFile, run: &TestRun) -> Result<Done, String> {
     if report.unread.is_some() {
         return Ok(unread);
     }
-    evidence::file(name, &text, &options, &run.disk);
+    evidence::file(name, &text, run.configs);
     let family = family(name, &text, options.file_access(&run.disk));
     let filter = run.args.filter.as_deref().unwrap_or("");
     let is_requested = |name: &str| name.contains(filter);

@@ -4,6 +4,7 @@ use super::{DefiniteAssignment, UnassignedVariable};
 use crate::calls::Calls;
 use crate::ranges::{Query, Ranges};
 use crate::reaching_definitions::ReachingDefinitions;
+use crate::test_shader::cases;
 use shaderlint_ir::lower;
 use shaderlint_semantic::problem::{CallError, ProblemKind};
 use shaderlint_semantic::{Completeness, Dialect, Mentions, Pass, Stage, Unit, check_shader};
@@ -83,10 +84,8 @@ fn check(code: &str, expected: &str) {
 /// Each line of the table is `code => findings`.
 #[test]
 fn unassigned_values_are_found_on_every_path() {
-    let lines = include_str!("cases.txt").lines();
-    for line in lines.filter(|line| !line.is_empty() && !line.starts_with('#')) {
-        let (code, expected) = line.split_once(" =>").unwrap();
-        check(code, expected.trim());
+    for (code, expected) in cases(include_str!("cases.txt")) {
+        check(code, expected);
     }
 }
 

@@ -4,7 +4,7 @@ use super::Loops;
 use crate::calls::Calls;
 use crate::ranges::{Query, Ranges};
 use crate::reaching_definitions::ReachingDefinitions;
-use crate::test_shader::checked;
+use crate::test_shader::{cases, checked};
 use shaderlint_ir::lower;
 
 /// Checks the bounds of the loops in `void f(int n, float x)`, which is called with 5 and with 9.
@@ -30,9 +30,7 @@ fn check(body: &str, expected: &str) {
 /// Each line of the table is `body => bounds`.
 #[test]
 fn loops_have_the_bounds_that_their_code_determines() {
-    let lines = include_str!("cases.txt").lines();
-    for line in lines.filter(|line| !line.is_empty() && !line.starts_with('#')) {
-        let (body, expected) = line.split_once(" =>").unwrap();
-        check(body, expected.trim());
+    for (code, expected) in cases(include_str!("cases.txt")) {
+        check(code, expected);
     }
 }

@@ -44,6 +44,10 @@ impl VersionAsked {
     }
 }
 
+/// Finds the hosts of the program around a text, likeliest first. It is asked only if the text itself
+/// shows none.
+pub type HostsAround<'t> = &'t dyn Fn() -> Vec<&'static Preset>;
+
 /// Properties of a text that indicate its host.
 pub struct Clues<'t> {
     /// The text.
@@ -52,8 +56,8 @@ pub struct Clues<'t> {
     pub name: &'t str,
     /// The companion files that have been read.
     pub siblings: &'t SiblingTexts,
-    /// The hosts of the program around the text, likeliest first.
-    pub around: &'t [&'static Preset],
+    /// The hosts of the program around the text.
+    pub around: HostsAround<'t>,
     /// The version in the `#version` of the text.
     pub asked: VersionAsked,
     /// Version and kind, guessed from the words of the text.
@@ -107,7 +111,7 @@ impl<'t> Clues<'t> {
     }
 
     /// These properties, with the hosts of the program around the text.
-    pub fn among(self, around: &'t [&'static Preset]) -> Clues<'t> {
+    pub fn among(self, around: HostsAround<'t>) -> Clues<'t> {
         Clues { around, ..self }
     }
 
@@ -119,7 +123,7 @@ impl<'t> Clues<'t> {
             text,
             name,
             siblings,
-            around: &[],
+            around: &Vec::new,
             asked,
             is_body: !guess.has_main && !guess.is_shadertoy() && !words.contains_key("mainImage"),
             guess,
@@ -273,7 +277,10 @@ struct TextWords<'t> {
 
 /// The version in the `#version` of a text.
 pub(super) fn version_of(text: &str) -> VersionAsked {
-    words(text).asked
+    match text.contains("version") {
+        true => words(text).asked,
+        false => VersionAsked::Nothing,
+    }
 }
 
 fn words(text: &str) -> TextWords<'_> {

@@ -25,7 +25,7 @@ pub use around::{imported_hosts, imports, installed_hosts};
 pub use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 use clues::VersionAsked;
-pub use clues::{Clues, Interfacing};
+pub use clues::{Clues, HostsAround, Interfacing};
 pub use complete::best;
 pub use complete::{Completion, TextChange};
 pub(crate) use shadertoy::framed;
@@ -373,10 +373,8 @@ pub fn recognise(clues: &Clues) -> Option<Recognised> {
     let mut found = found.into_iter();
     let Some((weight, host, signs)) = found.next() else {
         let around = || {
-            clues
-                .around
-                .iter()
-                .find_map(|host| shown_around(host, clues))
+            let mut hosts = (clues.around)().into_iter();
+            hosts.find_map(|host| shown_around(host, clues))
         };
         return around().or_else(|| preset("webgl").map(Recognised::given));
     };

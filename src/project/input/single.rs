@@ -1,6 +1,8 @@
 //! A shader file as a project: a ShaderToy pass, or a complete shader of any host.
 
-use crate::dialect::{self, Clues, Plan, PlannedPass, Recognised, SiblingTexts, bind, recognise};
+use crate::dialect::{
+    self, Clues, HostsAround, Plan, PlannedPass, Recognised, SiblingTexts, bind, recognise,
+};
 use crate::{
     Bindings, Composed, GatheredText, Info, Input, InputKind, Project, ProjectPass, UniformControl,
     Wrapper, compose,
@@ -54,7 +56,7 @@ impl Project {
         host: Option<&'static Preset>,
     ) -> Result<Project, ShaderError> {
         let nothing = SiblingTexts::new();
-        Project::draft_with_siblings(title, &GatheredText::of(code), (host, &[]), &nothing)
+        Project::draft_with_siblings(title, &GatheredText::of(code), (host, &Vec::new), &nothing)
     }
 
     /// Like [`Project::draft`], for a text with companion files, in a program with hosts `around`.
@@ -65,7 +67,7 @@ impl Project {
     pub fn draft_with_siblings(
         title: &str,
         own: &GatheredText,
-        (host, around): (Option<&'static Preset>, &[&'static Preset]),
+        (host, around): (Option<&'static Preset>, HostsAround),
         siblings: &SiblingTexts,
     ) -> Result<Project, ShaderError> {
         let code = &*own.text;

@@ -133,7 +133,7 @@ pub struct SingleShader {
     pub text: GatheredText,
     pub(super) title: String,
     pub(super) host: Option<&'static Preset>,
-    /// The hosts of the program around it.
+    /// The hosts of the program around it; empty if its text shows its host.
     pub(super) around: Vec<&'static Preset>,
     pub(super) siblings: SiblingTexts,
 }
@@ -153,7 +153,7 @@ impl SingleShader {
         Project::draft_with_siblings(
             &self.title,
             &text,
-            (self.host, &self.around),
+            (self.host, &|| self.around.clone()),
             &self.siblings,
         )
     }

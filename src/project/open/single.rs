@@ -11,6 +11,7 @@ use crate::{Project, ShaderError, SiblingTexts};
 use shaderlint_host::Preset;
 use shaderlint_semantic::{GuessedKind, guess};
 use shaderlint_text::path::tidy;
+use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -69,18 +70,24 @@ pub fn open_file(
             name => title(Path::new(name)),
         },
         host,
-        around: hosts_around(name, script, access),
+        around: Vec::new(),
         siblings: SiblingTexts::new(),
+    };
+    let known = OnceCell::new();
+    let around = || {
+        let found = known.get_or_init(|| hosts_around(name, script, access));
+        found.clone()
     };
     loop {
         let drafted = Project::draft_with_siblings(
             &single.title,
             &single.text,
-            (single.host, &single.around),
+            (single.host, &around),
             &single.siblings,
         );
         let project = drafted.map_err(|e| wrong(e.to_string()))?;
         if !read_siblings(name, &project.requested, &mut single.siblings, access).map_err(wrong)? {
+            single.around = known.into_inner().unwrap_or_default();
             let mut draft = drafted_alone(name, project, single, access)?;
             draft.project.notes.extend(held.and_then(|held| held.note));
             return Ok(draft);
