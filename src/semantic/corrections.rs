@@ -6,10 +6,12 @@ use super::infer_channels::check_unit;
 use super::problem::Problems;
 use super::program::Program;
 use super::unit::Unit;
+use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Search, Token, parse_corrected};
+use shaderlint_text::Span;
 
-/// Maximum number of checks of one shader.
+/// Maximum number of checks of one shader for each choice.
 const MAX_LOOKS: usize = 8;
 /// Maximum number of tokens checked, not counting searches inside the checks.
 const MAX_TOKENS: usize = 100_000;
@@ -48,6 +50,13 @@ impl Recheck {
     fn count(&self) -> usize {
         self.syntax.len() + self.problems.len()
     }
+
+    /// The tokens in the text that are errors however the code around them is parsed.
+    fn faulty_words(&self) -> FxHashSet<Span> {
+        let problems = self.problems.all.iter();
+        let words = problems.filter_map(|p| self.program.faulty_word(p));
+        words.map(|at| self.program.span(at)).collect()
+    }
 }
 
 impl Corrected {
@@ -67,7 +76,8 @@ impl Corrected {
         let mut made = vec![Some(0); mistakes];
         let mut standing = found.count();
         let mut has_searched = false;
-        search.within(MAX_TOKENS.min(MAX_LOOKS * size), |search| {
+        let mut words = found.faulty_words();
+        search.within(MAX_TOKENS.min(MAX_LOOKS * size * mistakes), |search| {
             for (i, choice) in self.choices.iter().enumerate() {
                 let others = (1..choice.len()).map(Some).chain([None]);
                 let best = search.fewest(
@@ -78,7 +88,20 @@ impl Corrected {
                         has_searched = true;
                         set(&mut made, i, *other);
                         self.look(&mut found, &made, unit, below, search);
-                        Some(found.count())
+                        let now = found.faulty_words();
+                        // Code that does not parse is not checked: what is wrong in it still counts.
+                        let hides = other.is_none()
+                            && !choice.iter().any(Correction::moves_scopes)
+                            && !choice.iter().any(|c| parts_words(c, &words));
+                        let hidden = match hides {
+                            true => self.unnamed(&words, &now, unit),
+                            false => 0,
+                        };
+                        let faults = found.count() + hidden;
+                        if faults < below && other.is_some() {
+                            words = now;
+                        }
+                        Some(faults)
                     },
                 );
                 if let Some((_, fewer)) = best {
@@ -91,6 +114,14 @@ impl Corrected {
             self.look(&mut found, &made, unit, usize::MAX, search);
         }
         found
+    }
+
+    /// Number of different faulty words that are none in another reading.
+    fn unnamed(&self, words: &FxHashSet<Span>, now: &FxHashSet<Span>, unit: &Unit) -> usize {
+        let texts = |words: &FxHashSet<Span>| -> FxHashSet<&str> {
+            words.iter().map(|word| unit.sources.text(*word)).collect()
+        };
+        texts(words).difference(&texts(now)).count()
     }
 
     /// Parses and checks the shader with other corrections, stopping after `enough` errors.
@@ -124,6 +155,13 @@ impl Corrected {
         let (program, problems) = check_unit(parsed, unit, search);
         *found = Recheck::new(program, parse.diagnostics, problems);
     }
+}
+
+/// Whether a correction inserts a token between two faulty words: this is probably not code.
+fn parts_words(correction: &Correction, words: &FxHashSet<Span>) -> bool {
+    let gap = correction.diagnostic().span;
+    let is_word = |at: u32| words.iter().any(|word| word.start == at || word.end == at);
+    correction.is_insertion() && !gap.is_empty() && is_word(gap.start) && is_word(gap.end)
 }
 
 fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {

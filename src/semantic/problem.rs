@@ -6,10 +6,11 @@ pub use super::checker::{
     OutputError, Owner, PlaceError, QualifierError, RecordError, RecordKind, Restriction,
     StatementError, StorageRequest, SwitchError, ValueError, Writer,
 };
-use super::program::{FunctionRef, VariableId};
+use super::program::{FunctionRef, Program, VariableId};
 use super::scope::{ScopeLog, ScopeMark};
 use super::types::Type;
-use shaderlint_syntax::ast::{ExprId, Extent, Ident};
+use super::typing::TypeMismatch;
+use shaderlint_syntax::ast::{ExprId, ExprKind, Extent, Ident};
 
 /// Most errors that are reported in one shader.
 pub const MAX_ERRORS: usize = 200;
@@ -117,4 +118,29 @@ kinds! {
     Statement(StatementError),
     Switch(SwitchError),
     Value(ValueError),
+}
+
+impl Program {
+    /// The word or literal that is wrong wherever it stands, however the code around it is parsed.
+    pub(super) fn faulty_word(&self, problem: &Problem) -> Option<Extent> {
+        use ProblemKind as P;
+        use TypeMismatch as T;
+        match &problem.what {
+            P::Name(NameError::Twice(..) | NameError::UnknownType(_))
+            | P::Foreign(ForeignError::Inferred(..)) => None,
+            P::Name(_) | P::Foreign(_) => Some(problem.at),
+            P::Expression(ExpressionError::Suffix(..) | ExpressionError::Unsigned(_)) => {
+                Some(problem.at)
+            }
+            P::Expression(ExpressionError::Misfit(.., T::Letters(_) | T::Component(..))) => {
+                Some(problem.at)
+            }
+            P::Expression(ExpressionError::Misfit(_, operands, T::Operands(_))) => {
+                let mut extents = operands.iter().map(|&id| self.tree.expr(id));
+                let literal = extents.find(|expr| matches!(expr.kind, ExprKind::Int(_)));
+                literal.map(|expr| expr.extent)
+            }
+            _ => None,
+        }
+    }
 }

@@ -73,6 +73,15 @@ pub const PUNCTUATION: TokenSet = BINARY_OPERATORS.or(ASSIGNMENTS).and(&[
     T::LeftParen, T::RightParen, T::LeftBracket, T::RightBracket,
     T::Dot, T::Comma, T::Semicolon, T::Colon, T::Question, T::Not, T::Tilde,
 ]);
+/// Brackets and separators, which are often superfluous.
+pub const SEPARATES: TokenSet = TokenSet::of(&[
+    T::LeftParen,
+    T::RightParen,
+    T::LeftBracket,
+    T::RightBracket,
+    T::Comma,
+    T::Semicolon,
+]);
 /// Punctuation that cannot start a statement.
 pub const CONTINUES: TokenSet = BINARY_OPERATORS.without(&[T::Plus, T::Minus]).and(&[
     T::Dot,

@@ -118,6 +118,16 @@ fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
     a.kind == b.kind && a.span.start == b.span.start
 }
 
+/// Whether an error is about a word, however the code around it is parsed.
+fn is_about_a_word(d: &Diagnostic) -> bool {
+    let kinds = [
+        error::UNDECLARED_NAME,
+        error::UNKNOWN_TYPE,
+        error::SWIZZLE_OUT_OF_RANGE,
+    ];
+    kinds.into_iter().any(|kind| d.is(kind))
+}
+
 /// Removes fixes inside macro definitions that no trial has confirmed.
 fn drop_unproved(program: &Program, errors: &mut [Diagnostic]) {
     for d in errors {
@@ -169,6 +179,18 @@ impl FaultyShader<'_> {
             return false;
         }
         let is_new = |d: &&Diagnostic| !self.errors.iter().any(|e| same(e, d));
+        // Code that does not parse is not checked, which hides the other errors in it.
+        let is_edited = |d: &&Diagnostic| candidate.edits.iter().any(|e| e.span.touches(d.span));
+        let unparsed = |of: &[Diagnostic]| of.iter().filter(|d| d.has(Facet::Grammar)).count();
+        let mut hidden = self.errors.iter().filter(|d| !is_edited(d) && is_fixed(d));
+        let is_unparsed = |d: &&Diagnostic| is_new(d) && d.has(Facet::Grammar);
+        let is_own = |d: &Diagnostic| is_new(&d) && is_edited(&d);
+        if candidate.must_reduce && after.iter().any(is_own)
+            || unparsed(after) > unparsed(self.errors)
+            || after.iter().any(|d| is_unparsed(&d)) && hidden.any(is_about_a_word)
+        {
+            return false;
+        }
         let mut new = after.iter().filter(is_new).peekable();
         if new.peek().is_none() {
             return true;

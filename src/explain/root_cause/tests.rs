@@ -204,5 +204,16 @@ fn only_the_first_error_of_a_statement_is_reported() {
     assert_eq!(errors("d = (a b c) + x;"), ["4:8 syntax-error"]);
     // Each statement has its own.
     let both = errors("match d + x => 1.0; d = x;");
-    assert_eq!(both, ["4:1 unknown-type", "4:25 undeclared-name"]);
+    assert_eq!(both, ["4:1 unknown-type", "4:11 undeclared-name"]);
+}
+
+/// Several mistakes in one statement, also if a word starts with a keyword or a type.
+#[test]
+fn every_mistake_of_a_statement_is_reported() {
+    for case in include_str!("several.txt").lines() {
+        let (statement, expected) = case.split_once(" => ").unwrap();
+        let body = format!("float d = 0.5;\n{statement}\ncolor = vec4(d);");
+        let reported = found(&main_with("", &body)).0;
+        assert_eq!(reported.join(", "), expected, "{statement}");
+    }
 }

@@ -71,7 +71,24 @@ pub struct Correction {
 }
 
 impl Correction {
-    pub(super) fn is_insertion(&self) -> bool {
+    /// Whether the scopes of names depend on it.
+    pub fn moves_scopes(&self) -> bool {
+        use TokenKind as T;
+        match self.change {
+            TokenChange::Insert(kind, _) | TokenChange::Replace(kind) => {
+                matches!(kind, T::LeftBrace | T::RightBrace)
+            }
+            TokenChange::Delete => self.diagnostic.subject.is_brace(),
+        }
+    }
+
+    /// What is reported if this correction is chosen.
+    pub fn diagnostic(&self) -> &Diagnostic {
+        &self.diagnostic
+    }
+
+    /// Whether it inserts a token.
+    pub fn is_insertion(&self) -> bool {
         matches!(self.change, TokenChange::Insert(..))
     }
 }

@@ -17,6 +17,10 @@ const MUST_FIT: usize = 8;
 const WINDOW: usize = 120;
 /// Longest start of a statement that is parsed again for each candidate, in tokens.
 const MAX_HEAD: usize = 600;
+/// Number of further corrections that the rest of a statement may need.
+const MORE_FAULTS: usize = 2;
+/// Maximum number of edits whose further corrections are searched.
+const MAX_PARTIAL: usize = 4;
 /// Maximum number of corrections per shader.
 const MAX_CORRECTIONS: usize = 20;
 /// Maximum number of alternatives at one place that the checker compares.
@@ -48,6 +52,17 @@ struct ChangeCandidate {
     at: usize,
     change: TokenChange,
     cost: u32,
+}
+
+impl ChangeCandidate {
+    /// Whether it inserts a closing bracket, so that another token may be missing at the same place.
+    fn closes(&self) -> bool {
+        use TokenKind as T;
+        matches!(
+            self.change,
+            TokenChange::Insert(T::RightParen | T::RightBracket, _)
+        )
+    }
 }
 
 impl<'a> Parser<'a> {
@@ -101,15 +116,33 @@ impl<'a> Parser<'a> {
         self.repairs.choices.push(choice);
         self.apply(at, change);
         self.repairs.reached = match change {
-            TokenChange::Insert(..) => Some(fault + 1),
+            TokenChange::Insert(..) => Some(fault),
             TokenChange::Delete => fault.checked_sub(1),
             TokenChange::Replace(_) => Some(fault),
         };
         true
     }
 
-    /// The edits with which the code from `start` on parses past `fault`.
+    /// The edits with which the code from `start` on parses past `fault`, if need be with further edits
+    /// after it.
     fn plausible(&mut self, start: usize, fault: usize, scope: FaultScope) -> Vec<ChangeCandidate> {
+        let mut found = self.edits_at((start, fault), scope, MORE_FAULTS, usize::MAX);
+        found.sort_by_key(|c| c.cost);
+        let best = found.first().map_or(0, |c| c.cost);
+        found.retain(|c| c.cost <= best + MARGIN);
+        found.truncate(MAX_ALTERNATIVES);
+        found
+    }
+
+    /// At most `enough` edits with which the code from `start` on parses past `fault`, if need be with
+    /// `more` edits after it.
+    fn edits_at(
+        &mut self,
+        (start, fault): (usize, usize),
+        scope: FaultScope,
+        more: usize,
+        enough: usize,
+    ) -> Vec<ChangeCandidate> {
         let last = self.tokens.len().saturating_sub(1);
         let goal = self.after_statement(fault).max(fault + MUST_FIT);
         let end = last.min(goal + LOOKAHEAD);
@@ -119,25 +152,77 @@ impl<'a> Parser<'a> {
         };
         let code = self.tokens.get(start..end).unwrap_or(&[]).to_vec();
         let mut found = Vec::new();
+        let mut partial = Vec::new();
         for candidate in self.candidates(start, fault, scope) {
             if !self.repairs.search.pays(code.len()) {
                 self.repairs.search.give_up();
                 break;
             }
-            let mut tokens = code.clone();
-            change_tokens(&mut tokens, candidate.at - start, candidate.change);
-            tokens.push(Token {
-                kind: TokenKind::End,
-                ..self.end
-            });
-            if self.speculative(tokens).reads_past(reach, scope) {
+            let mut trial = self.trial(&code, start, candidate);
+            if trial.reads_past(reach, scope) {
                 found.push(candidate);
+                if found.len() >= enough {
+                    break;
+                }
+            } else if let Some(next) = trial.fault
+                && start + next > fault + usize::from(!candidate.closes())
+                && self.is_usual(candidate)
+            {
+                partial.push((candidate, next));
             }
         }
-        found.sort_by_key(|c| c.cost);
-        let best = found.first().map_or(0, |c| c.cost);
-        found.retain(|c| c.cost <= best + MARGIN);
-        found.truncate(MAX_ALTERNATIVES);
+        if found.is_empty() && more > 0 {
+            found = self.first_of_several((&code, start), partial, scope, more - 1);
+        }
+        found
+    }
+
+    /// Whether an edit is probable enough to be one of several: only brackets and separators are often
+    /// superfluous, and a word before another is rarely an array.
+    fn is_usual(&self, candidate: ChangeCandidate) -> bool {
+        match candidate.change {
+            TokenChange::Delete => set::SEPARATES.contains(self.token(candidate.at).kind),
+            TokenChange::Insert(kind, _) => kind != TokenKind::LeftBracket,
+            TokenChange::Replace(_) => true,
+        }
+    }
+
+    /// A parser of the code that starts at `start`, with an edit.
+    fn trial(&self, code: &[Token], start: usize, candidate: ChangeCandidate) -> Parser<'a> {
+        let mut tokens = code.to_vec();
+        change_tokens(&mut tokens, candidate.at - start, candidate.change);
+        tokens.push(Token {
+            kind: TokenKind::End,
+            ..self.end
+        });
+        self.speculative(tokens)
+    }
+
+    /// Of edits after which parsing fails again, at the index given, those that need the fewest
+    /// corrections there.
+    fn first_of_several(
+        &mut self,
+        (code, start): (&[Token], usize),
+        mut partial: Vec<(ChangeCandidate, usize)>,
+        scope: FaultScope,
+        more: usize,
+    ) -> Vec<ChangeCandidate> {
+        partial.sort_by_key(|(candidate, _)| candidate.cost);
+        partial.truncate(MAX_PARTIAL);
+        let mut found = Vec::new();
+        for more in 0..=more {
+            for &(candidate, next) in &partial {
+                let mut rest = self.trial(code, start, candidate);
+                std::mem::swap(&mut rest.repairs.search, &mut self.repairs.search);
+                if !rest.edits_at((0, next), scope, more, 1).is_empty() {
+                    found.push(candidate);
+                }
+                std::mem::swap(&mut rest.repairs.search, &mut self.repairs.search);
+            }
+            if !found.is_empty() {
+                break;
+            }
+        }
         found
     }
 
