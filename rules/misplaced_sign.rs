@@ -24,6 +24,12 @@ fn check(cx: &mut Context, id: ExprId) {
     let Some(op) = leading_sign(tree, value) else {
         return;
     };
+    // `x =- x` changes the sign.
+    if let ExprKind::Unary(_, operand) = tree.expr(value).kind
+        && program.expr_text(operand) == program.expr_text(target)
+    {
+        return;
+    }
     let sign = tree.expr(value).extent.first;
     let [before, equal, sign, after] = [
         tree.expr(target).extent.last,

@@ -22,6 +22,10 @@ fn check(cx: &mut Context, id: StmtId) {
     };
     let body = tree.block(body);
     let is_label = |s: StmtId| matches!(tree.stmt(s).kind, StmtKind::Case(_) | StmtKind::Default);
+    // If no case leaves, they are meant to be executed in a row.
+    if !body.iter().any(|s| cx.facts.reach().ends(*s)) {
+        return;
+    }
     for (at, pair) in body.windows(2).enumerate() {
         let &[last, label] = pair else { continue };
         if is_label(last) || !is_label(label) {

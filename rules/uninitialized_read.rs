@@ -5,6 +5,7 @@ use shaderlint_diagnostic::{Fix, Severity};
 use shaderlint_flow::{PartMask, UnassignedVariable};
 use shaderlint_lint::{Check, Context, Finding, Group, Rule, RulePreset};
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable, VariableId};
+use shaderlint_syntax::ast::{BinaryOp, ExprKind};
 use shaderlint_text::Edit;
 
 pub static RULE: Rule = Rule {
@@ -89,7 +90,10 @@ fn report<'a>(cx: &'a mut Context, reads: &[UnassignedVariable]) -> Finding<'a> 
         .iter()
         .filter_map(|u| cx.program.variable(u.variable))
         .collect();
-    let fix = zeros(cx, &variables);
+    let fix = match reads.iter().any(|read| keeps_zero(cx, read)) {
+        true => None,
+        false => zeros(cx, &variables),
+    };
     let at = reads.first().map(|u| u.at).unwrap_or_default();
     let program = cx.program;
     let mut finding = cx.report(at, message).fix(fix);
@@ -108,6 +112,24 @@ fn report<'a>(cx: &'a mut Context, reads: &[UnassignedVariable]) -> Finding<'a> 
     finding.note(
         "its value is undefined (section 4.3): browsers set it to zero, other programs do not",
     )
+}
+
+/// Whether a variable is read to compute its own next value, and that is zero for zero: `d = min(d, x)`,
+/// `d *= x`. Another start is meant, so that zero would only hide the mistake.
+fn keeps_zero(cx: &Context, read: &UnassignedVariable) -> bool {
+    let tree = &cx.program.tree;
+    tree.exprs.iter().any(|expr| {
+        let ExprKind::Assign(op, target, value) = expr.kind else {
+            return false;
+        };
+        let keeps = match op {
+            None => matches!(tree.expr(value).kind, ExprKind::Call(..)),
+            Some(op) => matches!(op, BinaryOp::Mul | BinaryOp::Div),
+        };
+        keeps
+            && expr.extent.contains(read.at)
+            && cx.program.variable_of(target) == Some(read.variable)
+    })
 }
 
 /// Initialises variables with zero, as browsers do; `None` if that is not possible for one of them.

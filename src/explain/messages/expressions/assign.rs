@@ -118,6 +118,10 @@ impl ExplainContext<'_> {
         let (wn, fname) = (self.name_of(expected), self.name_of(found));
         let message = format!("cannot assign `{fname}` to `{wn}`");
         let fix = self.become_type(value, expected);
+        let fix = fix.map(|fix| match self.fills_vector(value, expected) {
+            true => Fix::safe(fix.title, fix.edits),
+            false => fix,
+        });
         let at_value = rule == error::INT_FLOAT_MIX && self.literal_token(value).is_some();
         let d = if at_value {
             self.error_expr(rule, value, message)
@@ -126,6 +130,16 @@ impl ExplainContext<'_> {
             self.error(rule, extent, message)
         };
         d.note(NO_CONVERSION).fix(fix)
+    }
+
+    /// Whether a number is the value of all components of a vector; of a vector with four the last one may
+    /// be meant to be 1.
+    fn fills_vector(&self, value: ExprId, expected: Type) -> bool {
+        let found = self.ty(value);
+        found.is_scalar()
+            && found.scalar_kind() == expected.scalar_kind()
+            && expected.is_vector()
+            && expected.components() < 4
     }
 
     /// Converts a number, vector or matrix to another type.

@@ -163,6 +163,15 @@ impl ExplainContext<'_> {
         let (scalar, 1, size) = ty.numeric()? else {
             return None;
         };
+        // A number and its alpha are a grey.
+        if let (Scalar::Float, 4, [grey, alpha]) = (scalar, size, args)
+            && self.ty(*grey).is_scalar()
+            && self.ty(*alpha).is_scalar()
+            && self.is_direct(self.tree.expr(*grey).extent)
+        {
+            let title = format!("use `vec3({})`", self.expr_text(*grey));
+            return Some(Fix::suggestion(title, self.wrap(*grey, "vec3(", ")")));
+        }
         let added = ExplainContext::added_components(scalar, given as u8, size);
         let end = self.expr_span(*args.last()?).end;
         let title = format!("add `{}`", added.trim_start_matches(", "));

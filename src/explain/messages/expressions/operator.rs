@@ -138,7 +138,8 @@ impl ExplainContext<'_> {
         let is_direct = all
             .iter()
             .all(|&id| self.is_direct(self.tree.expr(id).extent));
-        is_direct.then(|| Fix::suggestion("compare with zero", edits))
+        // Languages that take a number for a condition compare it with zero.
+        is_direct.then(|| Fix::safe("compare with zero", edits))
     }
 
     /// `int`, `uint` and `float` mixed: reported at the operand to change, usually a literal.
@@ -154,9 +155,20 @@ impl ExplainContext<'_> {
         let ls = l.scalar_kind().unwrap_or(Scalar::Float);
         let rs = r.scalar_kind().unwrap_or(Scalar::Float);
         let (culprit, expected) = self.culprit(left, ls, right, rs, prefer_int);
+        // What is assigned to keeps its type.
+        let assigns = matches!(self.tree.expr(id).kind, ExprKind::Assign(..)) && culprit == left;
+        let (culprit, expected) = if assigns {
+            (right, ls)
+        } else {
+            (culprit, expected)
+        };
         let other = if culprit == left { right } else { left };
         let message = cannot_combine(symbol, &self.name_of(l), &self.name_of(r));
-        let fix = self.convert(culprit, expected);
+        let fix = self.convert(culprit, expected).map(|fix| match assigns {
+            // That cuts off fractions.
+            true => Fix::suggestion(fix.title, fix.edits),
+            false => fix,
+        });
         let is_literal = self.literal_token(culprit).is_some();
         let d = if is_literal || !matches!(symbol, "=" | "+=" | "-=" | "*=" | "/=") {
             self.error_expr(error::INT_FLOAT_MIX, culprit, message)
@@ -390,8 +402,13 @@ impl ExplainContext<'_> {
             ExprKind::Assign(..) => format!("{} = {text}", self.expr_text(left)),
             _ => text,
         };
-        let edit = Edit::replace(self.span(all), text.clone());
-        Some(Fix::suggestion(format!("use `{text}`"), vec![edit]))
+        let edits = vec![Edit::replace(self.span(all), text.clone())];
+        let title = format!("use `{text}`");
+        // `%` of numbers means nothing else; that all components are compared is a guess.
+        Some(match function {
+            BuiltinId::Mod => Fix::safe(title, edits),
+            _ => Fix::suggestion(title, edits),
+        })
     }
 
     /// `l ^ r` as a power, which in other languages binds tighter than here.
@@ -488,7 +505,7 @@ impl ExplainContext<'_> {
             ("!", Some(_)) if ty.is_scalar() => {
                 let zero = self.zero_of(ty).unwrap_or_default();
                 let edits = negated("(", &format!(" == {zero})"));
-                d.fix(edits.map(|e| Fix::suggestion(format!("compare with `{zero}`"), e)))
+                d.fix(edits.map(|e| Fix::safe(format!("compare with `{zero}`"), e)))
             }
             ("~", _) => d.note("`~` requires `int` or `uint`"),
             _ => d,

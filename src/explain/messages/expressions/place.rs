@@ -125,7 +125,7 @@ impl ExplainContext<'_> {
             let found = self.token(at);
             if found.kind == T::Const && found.is_direct() {
                 let span = Span::new(found.span.start, self.token(at + 1).span.start);
-                return Some(Fix::suggestion(
+                return Some(Fix::safe(
                     "remove `const` from the declaration",
                     vec![Edit::delete(span)],
                 ));
@@ -133,6 +133,16 @@ impl ExplainContext<'_> {
             at = at.checked_sub(1)?;
         }
         None
+    }
+
+    /// Whether the text defines `main` or `mainImage` twice.
+    fn has_two_entries(&self) -> bool {
+        let is_entry = |name: &str| matches!(name, "main" | "mainImage");
+        let defined = self.tree.functions.iter().filter(|f| f.body.is_some());
+        defined
+            .filter(|f| is_entry(self.text(f.ident.name)))
+            .count()
+            > 1
     }
 
     /// A fix for a redeclared name: removes an identical declaration, makes an assignment of one
@@ -147,6 +157,10 @@ impl ExplainContext<'_> {
         } = second;
         let first = self.variables.get(first.0 as usize)?;
         let spec = spec?;
+        // Two shaders in one text, which a script splits.
+        if self.at_global_scope() && self.has_two_entries() {
+            return None;
+        }
         let second = self.statement_around(ident.token)?;
         if let Some(declared) = first.token.and_then(|t| self.statement_around(t)) {
             let is_same = self.same_tokens(declared, second);
@@ -162,7 +176,7 @@ impl ExplainContext<'_> {
                 self.token_span(spec.first).start,
                 self.token_span(ident.token).start,
             );
-            return Some(Fix::suggestion(
+            return Some(Fix::safe(
                 "remove the type to assign to it instead",
                 vec![Edit::delete(span)],
             ));
