@@ -3,6 +3,7 @@
 mod cli;
 mod corpus;
 mod debugging;
+mod definitions;
 mod differential;
 mod embed;
 mod formatting;

@@ -8,6 +8,7 @@
 mod analyze;
 mod checked;
 mod chunk;
+pub mod library;
 pub mod link;
 mod messages;
 mod root_cause;

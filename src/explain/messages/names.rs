@@ -9,6 +9,9 @@ use shaderlint_syntax::{
 /// Longest distance to a closing bracket, in tokens.
 const MAX_BRACKETED: TokenId = 200;
 
+/// Length of the longest name that WebGL2 accepts (WebGL 2.0 section 4.3.1), in bytes.
+const MAX_NAME: usize = 1_024;
+
 /// Names that shaders give their output.
 pub(super) const OUTPUT_NAMES: &[&str] = &[
     "fragColor",
@@ -431,6 +434,9 @@ impl ExplainContext<'_> {
                 .label(self.token_span(later), "declared here")
                 .note("GLSL requires the declaration before the first use");
         }
+        if text.len() > MAX_NAME {
+            return d;
+        }
         let of_block = || self.advise_block(d.clone(), name, token);
         if let Some(d) = (!is_call).then(of_block).flatten() {
             return d;
@@ -451,25 +457,15 @@ impl ExplainContext<'_> {
         }
     }
 
-    /// `iTime` for `time`, `uColor` or `u_color` for `color`: the only variable in scope with this name and
-    /// the short prefix of a host or of a storage.
+    /// `iTime` for `time` or `uTime`, `u_color` for `color`: the only variable in scope with this name and the
+    /// short prefix of a host or of a storage.
     fn with_prefix(&self, text: &str) -> Option<String> {
         if !self.affords(self.names.len()) {
             return None;
         }
+        let stem = without_prefix(text).unwrap_or(text);
         let is_it = |name: &str| {
-            let split = name
-                .len()
-                .checked_sub(text.len())
-                .filter(|n| (1..=2).contains(n));
-            let Some((prefix, rest)) = split.and_then(|at| name.split_at_checked(at)) else {
-                return false;
-            };
-            let starts =
-                prefix.ends_with('_') || rest.starts_with(|c: char| c.is_ascii_uppercase());
-            starts
-                && prefix.starts_with(|c: char| c.is_ascii_lowercase())
-                && rest.eq_ignore_ascii_case(text)
+            without_prefix(name).is_some_and(|rest| rest.eq_ignore_ascii_case(stem)) && name != text
         };
         let variables = self.scopes().visible();
         let variables = variables.filter(|(_, b)| matches!(b, Binding::Variable(_)));
@@ -586,7 +582,7 @@ impl ExplainContext<'_> {
         let scope = self
             .scopes()
             .visible()
-            .filter(|(_, b)| fits(*b))
+            .filter(|(n, b)| fits(*b) && (*b != Binding::Function || self.is_callable(*n)))
             .map(|(n, _)| self.text(n));
         let builtins = self
             .builtins
@@ -610,6 +606,14 @@ impl ExplainContext<'_> {
             .filter(|(distance, n)| *distance <= limit && *n != text)
             .min()
             .map(|(_, n)| n.to_string())
+    }
+
+    /// Whether a call of a function of the shader would be right here: it has a body, and is not the one
+    /// that the call is in, because GLSL has no recursion.
+    fn is_callable(&self, name: Name) -> bool {
+        let current = self.current.and_then(|f| self.functions.get(f.0 as usize));
+        let mut defined = self.tree.functions.iter().filter(|f| f.body.is_some());
+        current.is_none_or(|f| f.name != name) && defined.any(|f| f.ident.name == name)
     }
 
     /// Suggests a type with a similar name.
@@ -670,4 +674,17 @@ impl ExplainContext<'_> {
             _ => d,
         }
     }
+}
+
+/// A name without a prefix of one or two letters: `Time` of `iTime`, `color` of `u_color`.
+fn without_prefix(name: &str) -> Option<&str> {
+    let is_prefix = |prefix: &str, rest: &str| {
+        let starts = prefix.ends_with('_') || rest.starts_with(|c: char| c.is_ascii_uppercase());
+        starts && prefix.starts_with(|c: char| c.is_ascii_lowercase()) && !rest.is_empty()
+    };
+    let splits = [2, 1]
+        .into_iter()
+        .filter_map(|at| name.split_at_checked(at));
+    let mut found = splits.filter(|(prefix, rest)| is_prefix(prefix, rest));
+    found.next().map(|(_, rest)| rest)
 }

@@ -13,3 +13,8 @@ pub(super) struct RepairCandidate {
     /// Whether it is a repair only if there are fewer errors with it: none may appear in exchange.
     pub must_reduce: bool,
 }
+
+/// Whether two findings are about the same mistake.
+pub(super) fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
+    a.kind == b.kind && a.span.start == b.span.start
+}

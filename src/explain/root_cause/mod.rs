@@ -15,13 +15,14 @@ mod consequences;
 mod definition;
 mod edited;
 mod literal;
+mod missing;
 #[cfg(test)]
 mod tests;
 mod text;
 
 use super::single_pass::analyze_single_pass;
 use calls::MacroCalls;
-use candidate::RepairCandidate;
+use candidate::{RepairCandidate, same};
 use edited::EditedUnit;
 use shaderlint_diagnostic::{Diagnostic, Facet, error};
 use shaderlint_semantic::{Program, Unit};
@@ -57,11 +58,10 @@ pub(super) fn attribute(
     errors: Vec<Diagnostic>,
     search: &mut Search,
 ) -> Vec<Diagnostic> {
-    let mut errors = search.within(MAX_TOKENS, |search| {
-        repair(unit, program, errors, search, MAX_REPAIRS)
-    });
+    let mut errors = search.within(MAX_TOKENS, |search| declared(unit, program, errors, search));
     errors.sort_by_key(|d| (d.span.start, d.span.end));
     consequences::keep_causes(program, &mut errors);
+    consequences::keep_end(program, &mut errors);
     // A name with an invalid character, or a reserved word, is one mistake.
     let is_named = |d: &Diagnostic| d.is(error::INVALID_CHARACTER) || d.is(error::RESERVED_WORD);
     let named: Vec<Span> = errors
@@ -71,6 +71,28 @@ pub(super) fn attribute(
         .collect();
     errors.retain(|d| !d.is(error::UNDECLARED_NAME) || named.binary_search(&d.span).is_err());
     errors
+}
+
+/// Declares the names that are missing and repairs the shader in which they are known; returns all
+/// findings.
+fn declared(
+    unit: &Unit,
+    program: &Program,
+    errors: Vec<Diagnostic>,
+    search: &mut Search,
+) -> Vec<Diagnostic> {
+    let found = missing::declare(unit, program, &errors, search);
+    let copy = EditedUnit::new(unit, &found.edits).filter(|_| !found.reported.is_empty());
+    let Some(copy) = copy else {
+        return repair(unit, program, errors, search, MAX_REPAIRS);
+    };
+    let declared = copy.unit(unit);
+    let analysis = analyze_single_pass(&declared, search);
+    let (program, errors) = (&analysis.program, analysis.diagnostics);
+    let rest = repair(&declared, program, errors, search, MAX_REPAIRS);
+    let mut all: Vec<Diagnostic> = rest.into_iter().map(|d| copy.back(d)).collect();
+    all.extend(found.reported);
+    all
 }
 
 /// Applies the best repair and continues with the repaired shader; returns all findings.
@@ -111,11 +133,6 @@ fn repair(
     all.retain(|d| d.span != reported.span);
     all.push(reported);
     all
-}
-
-/// Whether two findings are about the same mistake.
-fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
-    a.kind == b.kind && a.span.start == b.span.start
 }
 
 /// Whether an error is about a word, however the code around it is parsed.

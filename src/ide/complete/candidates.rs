@@ -7,6 +7,7 @@ use crate::document::Spot;
 use crate::library::entry;
 use crate::signature::builtin_head;
 use crate::symbol::{Symbol, SymbolKind, declared_at};
+use shaderlint_explain::library;
 use shaderlint_host::Preset;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Dialect, Direction, Pass, Program, Stage, Storage, Type, VariableId};
@@ -419,8 +420,30 @@ impl Candidates<'_> {
                     "struct declaration",
                     "struct ${1:Name} {\n\t${2:float value};\n};",
                 );
+                self.definitions();
             }
             WordPlace::Parameter | WordPlace::Expression => {}
+        }
+    }
+
+    /// Definitions of functions that many shaders use and this one lacks.
+    fn definitions(&mut self) {
+        let program = self.program;
+        let own = program.functions.iter().map(|f| program.names.text(f.name));
+        let own: BTreeSet<&str> = own.collect();
+        for name in library::function_names().filter(|name| !own.contains(name)) {
+            let mut parts: Vec<&str> = Vec::new();
+            let overloads = library::functions(name);
+            for definition in overloads
+                .iter()
+                .flat_map(|d| d.called())
+                .chain(overloads.clone())
+            {
+                if !parts.contains(&definition.text) {
+                    parts.push(definition.text);
+                }
+            }
+            self.snippet(name, library::about(name), &parts.join("\n\n"));
         }
     }
 

@@ -1,0 +1,8 @@
+// Union of two shapes by their distances, with a smooth blend of the width k.
+// SPDX-License-Identifier: 0BSD
+
+// Blends where the distances differ by less than `k`.
+float opSmoothUnion(float d1, float d2, float k) {
+    float h = max(k - abs(d1 - d2), 0.0);
+    return min(d1, d2) - h * h / max(4.0 * k, 1e-6);
+}
