@@ -250,7 +250,7 @@ int a = A(1);
 //: accepted: a comma in parentheses does not end an argument
 #define A(x) x
 int a = A((1, 2));
-//: refused 3 unclosed-delimiter: a comma in brackets ends an argument
+//: refused 3 macro-arguments: a comma in brackets ends an argument
 #define A(x) x
 int a[2];
 void main() { A(a[0, 1]); }
@@ -330,7 +330,7 @@ int a = A(1, 2);
 int a;
 //: refused 1 bad-directive: an unknown directive
 #unknown
-//: refused 1 syntax-error: `#` after code
+//: refused 1 bad-directive: `#` after code
 int a; #define A
 //: accepted: #pragma of whatever
 #pragma whatever at all

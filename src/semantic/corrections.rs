@@ -92,7 +92,7 @@ impl Corrected {
                         // Code that does not parse is not checked: what is wrong in it still counts.
                         let hides = other.is_none()
                             && !choice.iter().any(Correction::moves_scopes)
-                            && !choice.iter().any(|c| parts_words(c, &words));
+                            && !choice.first().is_some_and(|c| parts_words(c, &words));
                         let hidden = match hides {
                             true => self.unnamed(&words, &now, unit),
                             false => 0,
@@ -157,11 +157,16 @@ impl Corrected {
     }
 }
 
-/// Whether a correction inserts a token between two faulty words: this is probably not code.
+/// Whether a correction inserts a token between two faulty words, or removes one beside a faulty word:
+/// this is probably not code.
 fn parts_words(correction: &Correction, words: &FxHashSet<Span>) -> bool {
     let gap = correction.diagnostic().span;
     let is_word = |at: u32| words.iter().any(|word| word.start == at || word.end == at);
-    correction.is_insertion() && !gap.is_empty() && is_word(gap.start) && is_word(gap.end)
+    let (before, after) = (is_word(gap.start), is_word(gap.end));
+    match correction.is_insertion() {
+        true => !gap.is_empty() && before && after,
+        false => correction.is_removal() && (before || after),
+    }
 }
 
 fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {

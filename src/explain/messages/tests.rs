@@ -33,6 +33,16 @@ fn check(statement: &str, expected: &str) {
     assert_eq!(all.join("; "), expected, "{statement}");
 }
 
+/// A statement, and what `check` compares it with; `↵` is a line break.
+#[test]
+fn statements_have_the_expected_messages_and_fixes() {
+    let cases = include_str!("cases.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (statement, expected) = case.split_once(" ⇒ ").unwrap();
+        check(&statement.replace('↵', "\n"), &expected.replace('↵', "\n"));
+    }
+}
+
 /// A missing brace has no position for an edit.
 #[test]
 fn unclosed_initializer_lists_have_no_fix() {
@@ -42,158 +52,6 @@ fn unclosed_initializer_lists_have_no_fix() {
         assert!(apply_edits(&text, 0, &edits).is_ok(), "{}", found.message);
         assert!(found.rule != "initializer-list" || edits.is_empty());
     }
-}
-
-#[test]
-fn a_comma_before_the_brace_of_an_initializer_list_goes() {
-    check(
-        "float g[2] = {1., f,};",
-        "GLSL ES has no initializer lists => float g[2] = float[](1., f);",
-    );
-}
-
-#[test]
-fn literals_are_rewritten_and_other_operands_converted() {
-    check(
-        "f = i * 2.;",
-        "cannot multiply `int` by `float` => f = float(i) * 2.;",
-    );
-    check("f = f + 1;", "cannot add `int` to `float` => f = f + 1.0;");
-    check(
-        "i = i % f;",
-        "`%` requires integers; use `mod(a, b)` for floats => i = mod(float(i), f);",
-    );
-    check(
-        "float g[2] = float[2](1., i);",
-        "array element must be `float`, found `int` => float g[2] = float[2](1., float(i));",
-    );
-}
-
-#[test]
-fn vectors_are_truncated_or_extended() {
-    check(
-        "v = size;",
-        "cannot assign `vec3` to `vec2` => v = size.xy;",
-    );
-    check("v += size;", "cannot add `vec3` to `vec2` => v += size.xy;");
-    check("f = v;", "cannot assign `vec2` to `float` => f = v.x;");
-    check(
-        "vec3 w = vec3(v);",
-        "`vec3` expects 3 components, found 2 => vec3 w = vec3(v, 0.0);",
-    );
-    check(
-        "vec3 w = vec3(v, v, 1.);",
-        "`vec3` expects 3 components, found 5 => vec3 w = vec3(v, v);",
-    );
-    check(
-        "vec3 w = vec3();",
-        "`vec3()` needs at least one argument => vec3 w = vec3(0.0);",
-    );
-}
-
-#[test]
-fn booleans_are_not_numbers() {
-    check(
-        "bool b = 0. < f < 1.;",
-        "comparisons cannot be chained => bool b = 0. < f && f < 1.;",
-    );
-    check(
-        "if (i) f = 1.;",
-        "`if` condition must be `bool`, found `int` => if (i != 0) f = 1.;",
-    );
-    check(
-        "if (v == size.xy && f) f = 1.;",
-        "cannot apply `&&` to `bool` and `float` => if (v == size.xy && f != 0.0) f = 1.;",
-    );
-    check("f = !f;", "cannot apply `!` to `float` => f = (f == 0.0);");
-    check(
-        "f = i > 0 ? 1 : 2.;",
-        "`? :` has incompatible types: `int` and `float` => f = i > 0 ? 1.0 : 2.;",
-    );
-    check(
-        "return f;",
-        "a `void` function cannot return a value, found `float` => return;",
-    );
-}
-
-#[test]
-fn missing_members_are_corrected() {
-    check("f = v.q;", "`vec2` has no component `q` => f = v.t;");
-    check("f = f.x;", "`float` has no component `x`");
-    check(
-        "f = v[f];",
-        "index must be an integer, found `float` => f = v[int(f)];",
-    );
-    check(
-        "v.xx = v;",
-        "cannot assign to swizzle `xx`: it repeats a component => v.xy = v;",
-    );
-    check(
-        "f = v.length();",
-        "`.length()` requires an array, found `vec2` => f = length(v);",
-    );
-}
-
-#[test]
-fn arguments_are_added_swapped_or_removed() {
-    check(
-        "f = own(f, v);",
-        "no overload of `own` accepts `(float, vec2)` => f = own(v, f);",
-    );
-    check(
-        "f = own(v);",
-        "`own` expects 2 arguments, found 1 => f = own(v, 0.0);",
-    );
-    check(
-        "f = own(v, f, 1.);",
-        "`own` expects 2 arguments, found 3 => f = own(v, 1.);",
-    );
-    check(
-        "f = sin(i);",
-        "`sin` expects `float`, found `int` => f = sin(float(i));",
-    );
-    check(
-        "f = sin(v, 1.);",
-        "`sin` expects 1 argument, found 2 => f = sin(v);",
-    );
-    check(
-        "f = f(v);",
-        "`f` is a variable, not a function => f = f * (v);",
-    );
-}
-
-#[test]
-fn typos_and_names_of_other_languages_are_replaced() {
-    check(
-        "f = saturate(f);",
-        "`saturate` is not a GLSL function; use `clamp(a, 0.0, 1.0)` => f = clamp(f, 0.0, 1.0);",
-    );
-    check(
-        "float3 w = float3(1.);",
-        "`float3` is not a GLSL type; use `vec3` => vec3 w = vec3(1.);",
-    );
-    check("f = ff;", "`ff` is not declared => f = f;");
-    check(
-        "f = vx + vg;",
-        "`vx` is not declared => f = v.x + vg;; `vg` is not declared => f = vx + v.g;",
-    );
-    check("f = vz;", "`vz` is not declared");
-    check("f = Size.x;", "`Size` is not declared => f = size.x;");
-    check(
-        "int uStep = 2; i = step2 + Step;",
-        "`step2` is not declared; `Step` is not declared => int uStep = 2; i = step2 + uStep;",
-    );
-    check("brake;", "`brake` is not declared => break;");
-    check("f = fx;", "`fx` is not declared");
-    check(
-        "f = own2(v, f);",
-        "function `own2` is not declared => f = own(v, f);",
-    );
-}
-
-#[test]
-fn assignments_to_literals_are_swapped() {
-    check("1. = f;", "cannot assign to this expression => f = 1.;");
 }
 
 /// Applies the only fix of each shader: `before => after`, or `None` if there is no fix.

@@ -217,3 +217,40 @@ fn every_mistake_of_a_statement_is_reported() {
         assert_eq!(reported.join(", "), expected, "{statement}");
     }
 }
+
+/// A text that ends too early has one error there.
+#[test]
+fn texts_that_end_early_have_one_error_at_the_end() {
+    let cut = [
+        (
+            "float f(float x) { return x; }\nvoid main() {\n    float d = f(0.5, ",
+            "3:20",
+        ),
+        (
+            "void main() {\n    color = vec4(1.0);\n    for (int i = 0; i",
+            "3:22",
+        ),
+        (
+            "void main() {\n    if (color.x > 0.0) { color = vec4(1.0); } else",
+            "2:47",
+        ),
+        ("const float K = 1.0;\nfloat f(float x,", "2:16"),
+    ];
+    for (text, place) in cut {
+        assert_eq!(found(text).0, [format!("{place} syntax-error")], "{text}");
+    }
+}
+
+/// The rest is checked with the declarations: the second error is in an expression with `fbm`.
+#[test]
+fn missing_names_that_everybody_knows_are_declared() {
+    let (reported, fixed) = found(&main_with("", "color = vec4(fbm(vec2(0.5)) * 2);"));
+    assert_eq!(reported, ["3:18 undeclared-name", "3:35 int-float-mix"]);
+    assert!(fixed.contains("float noise(vec2 p)"), "{fixed}");
+    let body = "color = vec4(uSize.xy * SURF_DIST, 0, 0);";
+    let declared = analyze_fragment(&format!("{HEAD}{}", main_with("", body)));
+    let fixes = declared.diagnostics.iter().filter_map(|d| d.fix.as_ref());
+    let titles: Vec<&str> = fixes.map(|fix| fix.title.as_str()).collect();
+    let expected = ["uniform vec2 uSize;", "const float SURF_DIST = 0.001;"];
+    assert_eq!(titles, expected.map(|line| format!("declare it: `{line}`")));
+}

@@ -87,6 +87,11 @@ impl Correction {
         &self.diagnostic
     }
 
+    /// Whether it removes a token.
+    pub fn is_removal(&self) -> bool {
+        self.change == TokenChange::Delete
+    }
+
     /// Whether it inserts a token.
     pub fn is_insertion(&self) -> bool {
         matches!(self.change, TokenChange::Insert(..))

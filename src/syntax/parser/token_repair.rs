@@ -158,20 +158,22 @@ impl<'a> Parser<'a> {
                 self.repairs.search.give_up();
                 break;
             }
-            let mut trial = self.trial(&code, start, candidate);
-            if trial.reads_past(reach, scope) {
+            let mut parser = self.edited(&code, start, candidate);
+            if parser.reads_past(reach, scope) {
                 found.push(candidate);
                 if found.len() >= enough {
                     break;
                 }
-            } else if let Some(next) = trial.fault
+            } else if let Some(next) = parser.fault
                 && start + next > fault + usize::from(!candidate.closes())
                 && self.is_usual(candidate)
             {
                 partial.push((candidate, next));
             }
         }
-        if found.is_empty() && more > 0 {
+        // What follows a text that was cut is unknown; candidates end with a part of the text.
+        let is_cut = self.structs.is_some() && self.token(fault).kind == TokenKind::End;
+        if found.is_empty() && more > 0 && !is_cut {
             found = self.first_of_several((&code, start), partial, scope, more - 1);
         }
         found
@@ -188,7 +190,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A parser of the code that starts at `start`, with an edit.
-    fn trial(&self, code: &[Token], start: usize, candidate: ChangeCandidate) -> Parser<'a> {
+    fn edited(&self, code: &[Token], start: usize, candidate: ChangeCandidate) -> Parser<'a> {
         let mut tokens = code.to_vec();
         change_tokens(&mut tokens, candidate.at - start, candidate.change);
         tokens.push(Token {
@@ -212,7 +214,7 @@ impl<'a> Parser<'a> {
         let mut found = Vec::new();
         for more in 0..=more {
             for &(candidate, next) in &partial {
-                let mut rest = self.trial(code, start, candidate);
+                let mut rest = self.edited(code, start, candidate);
                 std::mem::swap(&mut rest.repairs.search, &mut self.repairs.search);
                 if !rest.edits_at((0, next), scope, more, 1).is_empty() {
                     found.push(candidate);

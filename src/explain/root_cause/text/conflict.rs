@@ -1,5 +1,5 @@
-//! What pasting and merging leaves between the lines: marks of a conflict, fences of Markdown, tags
-//! of a page, marks of a diff, numbers of lines.
+//! What pasting and merging leaves between the lines: marks of a conflict, tags of a page, marks
+//! of a diff, numbers of lines.
 
 use super::*;
 use shaderlint_diagnostic::error;
@@ -86,24 +86,6 @@ impl FaultyShader<'_> {
 
     /// Lines that are not a part of the shader, and marks before each line.
     pub(super) fn pasted_marks(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let text = line.text.trim();
-        if text.starts_with("```") || text.starts_with("~~~") {
-            let rows = self.rows_from(line.start);
-            let fence = text.get(..3).unwrap_or("");
-            let is_fence = |r: &&TextRow| r.text.trim().starts_with(fence);
-            let edits = rows
-                .iter()
-                .filter(is_fence)
-                .take(2)
-                .map(|r| Edit::delete(r.span()));
-            self.pasted(
-                line,
-                "unexpected Markdown fence",
-                "remove the fence",
-                edits.collect(),
-                all,
-            );
-        }
         self.tags(line, all);
         if let Some(prefix) = prefix(line.text) {
             let rows = self.rows_from(line.start);

@@ -4,12 +4,15 @@
 use super::*;
 use shaderlint_diagnostic::error;
 use shaderlint_semantic::builtins::BuiltinId;
-use shaderlint_syntax::{RawKind, WordClass, classify, tokenize};
+use shaderlint_syntax::{DIRECTIVES, RawKind, WordClass, classify, tokenize};
 
 impl FaultyShader<'_> {
     pub(super) fn joins(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         for at in 1..line.tokens.len() {
             self.split_token(line, at, all);
+            if line.kind(at) == Some(RawKind::Hash) && DIRECTIVES.contains(&line.token(at + 1)) {
+                directive_after_code(line, at, all);
+            }
         }
     }
 
@@ -93,6 +96,20 @@ impl FaultyShader<'_> {
         let kind = error::INVALID_CHARACTER;
         all.push(candidate(kind, span, message, title, edits));
     }
+}
+
+/// `int a; #define N 2`
+fn directive_after_code(line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    let span = line.span(at).to(line.span(at + 1));
+    let message = format!("`{}` must be the first on its line", line.of(span));
+    let edits = vec![Edit::insert(span.start, "\n")];
+    all.push(candidate(
+        error::BAD_DIRECTIVE,
+        span,
+        message,
+        "start a new line",
+        edits,
+    ));
 }
 
 /// Maximum length of characters that are removed, in bytes.

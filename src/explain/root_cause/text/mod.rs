@@ -8,6 +8,7 @@ mod comment;
 mod conflict;
 mod copy;
 mod entity;
+mod fence;
 mod function;
 mod join;
 mod line;
@@ -22,7 +23,7 @@ mod word;
 use super::FaultyShader;
 use super::candidate::RepairCandidate;
 use line::FaultyLine;
-use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
+use shaderlint_diagnostic::{Applicability, Diagnostic, ErrorKind, Fix, error};
 use shaderlint_text::{Edit, Span};
 
 /// Maximum number of candidates for one shader.
@@ -40,6 +41,7 @@ impl FaultyShader<'_> {
         self.copies(&mut all);
         for line in &lines {
             self.conflict(line, &mut all);
+            self.fences(line, &mut all);
             self.entities(line, &mut all);
             self.pasted_marks(line, &mut all);
             self.comments(line, &mut all);

@@ -1,0 +1,82 @@
+//! Code that was copied with the Markdown around it: only what stands between the fences is code.
+
+use super::*;
+use shaderlint_diagnostic::error;
+use shaderlint_text::CompiledText;
+
+/// Maximum number of lines of a text with fences.
+const MAX_LINES: usize = 4_000;
+
+impl FaultyShader<'_> {
+    /// Fences, and prose outside of them, which becomes comments.
+    pub(super) fn fences(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let code = self.program.sources.code_at(line.start);
+        let Some(code) = code.filter(|code| code.text.contains("```") || code.text.contains("~~~"))
+        else {
+            return;
+        };
+        let rows = rows(code);
+        let is_fence = |row: &&(u32, &str)| {
+            let text = row.1.trim_start();
+            text.starts_with("```") || text.starts_with("~~~")
+        };
+        let mut fences = rows.iter().filter(is_fence).map(|row| row.0);
+        let (Some(first), second) = (fences.next(), fences.next()) else {
+            return;
+        };
+        let before = code.text.get(..(first - code.base) as usize).unwrap_or("");
+        // A single fence after code closes it.
+        let (open, close) = match second {
+            None if before.contains('{') => (code.base, first),
+            second => (first, second.unwrap_or(u32::MAX)),
+        };
+        let is_beyond = |row: &(u32, &str)| row.0 < open || row.0 > close;
+        // Code around a fence is kept.
+        let has_code = rows
+            .iter()
+            .any(|row| is_beyond(row) && row.1.contains(['{', '}']));
+        let is_outside = |row: &&(u32, &str)| !has_code && is_beyond(row);
+        let outside = rows.iter().filter(|row| is_fence(row) || is_outside(row));
+        let edits = outside.filter_map(|row| match is_fence(&row) {
+            true => Some(Edit::delete(Span::new(row.0, row.0 + row.1.len() as u32))),
+            false if row.1.trim().is_empty() => None,
+            false => Some(Edit::insert(row.0, "// ")),
+        });
+        let (message, title) = match rows
+            .iter()
+            .any(|row| is_outside(&row) && !row.1.trim().is_empty())
+        {
+            true => (
+                "unexpected Markdown around the code",
+                "make comments of the text outside the fences",
+            ),
+            false => ("unexpected Markdown fence", "remove the fence"),
+        };
+        let edits: Vec<Edit> = edits.collect();
+        let kind = error::SYNTAX_ERROR;
+        let at = edits.first().map_or(line.start, |edit| edit.span.start);
+        let shown = rows
+            .iter()
+            .find(|row| row.0 == at)
+            .map_or("", |row| row.1.trim_end());
+        let span = Span::new(at, at + shown.len() as u32);
+        let mut found = candidate(kind, span, message, title, edits);
+        found
+            .diagnostic
+            .fix
+            .iter_mut()
+            .for_each(|fix| fix.applicability = Applicability::Safe);
+        all.push(found);
+    }
+}
+
+/// The lines of a text with their line breaks, by address.
+fn rows(code: CompiledText<'_>) -> Vec<(u32, &str)> {
+    let mut at = code.base;
+    let rows = code.text.split_inclusive('\n').take(MAX_LINES).map(|text| {
+        let start = at;
+        at += text.len() as u32;
+        (start, text)
+    });
+    rows.collect()
+}
