@@ -11,7 +11,7 @@ use shaderlint_diagnostic::Diagnostic;
 use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Search, Token, parse_corrected};
 use shaderlint_text::Span;
 
-/// Maximum number of checks of one shader for each choice.
+/// Maximum number of checks of one shader.
 const MAX_LOOKS: usize = 8;
 /// Maximum number of tokens checked, not counting searches inside the checks.
 const MAX_TOKENS: usize = 100_000;
@@ -77,7 +77,7 @@ impl Corrected {
         let mut standing = found.count();
         let mut has_searched = false;
         let mut words = found.faulty_words();
-        search.within(MAX_TOKENS.min(MAX_LOOKS * size * mistakes), |search| {
+        search.within(MAX_TOKENS.min(MAX_LOOKS * size), |search| {
             for (i, choice) in self.choices.iter().enumerate() {
                 let others = (1..choice.len()).map(Some).chain([None]);
                 let best = search.fewest(
