@@ -301,3 +301,11 @@ void f(int x){} void f(int x);
 void main() { f(1); }
 //: refused 1 redefinition, 100
 void f(){ } void f(){ }
+//# Arrays without a size that are returned
+//: accepted: a prototype
+mat3[] f();
+//: refused 1 invalid-array: a definition
+float[] f() { return float[](1.); }
+//: refused 0 undefined-function: a prototype that a function calls
+float[] f();
+void main() { f(); }

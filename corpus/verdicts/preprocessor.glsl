@@ -401,3 +401,29 @@ void main() {}
 precision highp float;
 #extension GL_OES_standard_derivatives : enable
 void main() {}
+//# Shifts, and words after the directives of skipped groups
+//: accepted: `>>` of a negative number shifts zeros in
+#if (-1 >> 1) != 2147483647
+#error
+#endif
+//: accepted: a negative number that is shifted is not negative
+#if (-8 >> 1) == -4
+#error
+#endif
+//: refused 3 bad-directive: a word after `#endif` in a skipped group
+#if 0
+#if 1
+#endif X
+#endif
+//: accepted: a word after `#else` in a skipped group
+#if 0
+#if 1
+#else X
+#endif
+#endif
+//: refused 4 bad-directive: a word after the `#endif` of a group in a branch that is not taken
+#if 1
+#else
+#ifdef A
+#endif X
+#endif

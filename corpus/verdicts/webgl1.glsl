@@ -240,3 +240,12 @@ void main() { for(int i=0;i<2;++i){ continue; } }
 void main() { for(float i=0.;i<2.;i+=.1){ break; } }
 //: refused 1 redefinition, 100
 void main() { for(int i=0;i<2;i++){ int i=0; i++; } }
+//# Commas in sizes of arrays
+//: refused 1 syntax-error, 100: of a global
+float a[1, 2];
+//: refused 1 syntax-error, 100: of a local
+void main() { float a[1, 2]; }
+//: refused 1 syntax-error, 100: of a parameter
+void f(float a[1, 2]) { }
+//: accepted, 100: in parentheses
+void main() { float a[(1, 2)]; }

@@ -3,7 +3,7 @@
 use super::token_repair::FaultScope;
 use super::{Parsed, Parser, Reported, append, since};
 use crate::ast::*;
-use crate::names::{Name, TypeWord};
+use crate::names::{Name, TypeWord, Version};
 use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
 use shaderlint_text::{Edit, Span};
@@ -387,6 +387,7 @@ impl Parser<'_> {
             } else {
                 Some(self.root_expression()?)
             };
+            self.reject_comma(size);
             self.close(TokenKind::RightBracket, open)?;
             sizes.push(ArraySize {
                 size,
@@ -394,6 +395,19 @@ impl Parser<'_> {
             });
         }
         Ok(append(&mut self.tree.array_lists, sizes))
+    }
+
+    /// Reports `float a[1, 2]`, which the grammar of GLSL ES 1.00 excludes; the checker rejects it in 3.00.
+    fn reject_comma(&mut self, size: Option<ExprId>) {
+        let kind = size.map(|size| self.tree.expr(size).kind);
+        if let Some(ExprKind::Comma(left, _)) = kind
+            && self.version == Version::Es100
+        {
+            let comma = self.token(self.tree.expr(left).extent.last as usize + 1);
+            let message = "expected `]`, found `,`";
+            let d = Diagnostic::error(error::SYNTAX_ERROR, comma.span, message);
+            self.report_at(d, &comma);
+        }
     }
 
     /// Parses a type with the array sizes after it.

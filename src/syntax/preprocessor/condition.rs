@@ -151,7 +151,8 @@ impl ConditionParser<'_> {
                 };
             }
             TokenKind::ShiftLeft => l.wrapping_shl(r as u32),
-            TokenKind::ShiftRight => l.wrapping_shr(r as u32),
+            // Browsers shift zeros in, also for negative numbers.
+            TokenKind::ShiftRight => (l as u32).wrapping_shr(r as u32) as i32,
             TokenKind::Plus => l.wrapping_add(r),
             TokenKind::Minus => l.wrapping_sub(r),
             TokenKind::Star => l.wrapping_mul(r),

@@ -150,9 +150,11 @@ impl Preprocessor<'_> {
     pub(super) fn endif(&mut self, span: Span, rest: &[Piece]) {
         match self.groups.pop() {
             None => self.without_if("endif", span),
-            Some(group) if group.skip_all => {}
             Some(group) => {
-                self.close_group(&group, span.end);
+                if !group.skip_all {
+                    self.close_group(&group, span.end);
+                }
+                // Checked in skipped groups as well, unlike other directives.
                 self.expect_end(rest, "endif");
             }
         }

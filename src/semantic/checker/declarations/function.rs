@@ -300,7 +300,7 @@ impl Checker<'_> {
         self.check_precision(ty, qualified, extent);
         let problem = if self.inside(ty).sampler {
             FunctionError::ReturnsSampler
-        } else if ty.array == Type::UNSIZED {
+        } else if ty.array == Type::UNSIZED && decl.body.is_some() {
             FunctionError::ReturnsUnsized
         } else if !self.has(Feature::ArrayValues) && ty.is_array() {
             FunctionError::ReturnsArray
@@ -434,7 +434,7 @@ mod tests {
             void f(float a[]) {} => UnsizedParameter
             void f(out sampler2D s) {} => OutSampler
             sampler2D f(); => ReturnsSampler
-            float[] f(); => ReturnsUnsized
+            float[] f() { return float[](1.0); } => ReturnsUnsized
             fragment 100: float[2] f(); => ReturnsArray
             fragment 100: struct S { float a[2]; }; S f(); => ReturnsArrayInside
             float sin(float x) { return x; } => Builtin
