@@ -211,6 +211,11 @@ impl Dialect {
 }
 
 impl Host {
+    /// Whether it adds declarations, and sets no uniforms but its own.
+    pub const fn declares_uniforms(&self) -> bool {
+        !self.prelude.is_empty()
+    }
+
     /// The text added before a shader with channels of these types. It has as many lines as the
     /// host's own, so that `__LINE__` has the same values.
     pub fn prelude(&self, channels: Channels) -> String {

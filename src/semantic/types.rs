@@ -198,6 +198,20 @@ impl Type {
         }
     }
 
+    /// Zero as a value of a numeric or boolean type, in GLSL syntax.
+    pub fn zero(self) -> Option<String> {
+        let zero = match self.scalar_kind().filter(|_| !self.is_array())? {
+            Scalar::Float => "0.0",
+            Scalar::Int => "0",
+            Scalar::Uint => "0u",
+            Scalar::Bool => "false",
+        };
+        Some(match self.is_scalar() {
+            true => zero.to_string(),
+            false => format!("{}({zero})", type_name(self, |_| String::new())),
+        })
+    }
+
     /// The type of a built-in type name.
     pub const fn of_word(word: TypeWord) -> Type {
         use Sampler as S;

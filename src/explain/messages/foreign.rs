@@ -200,7 +200,7 @@ impl ExplainContext<'_> {
             let assigns = self.token(before.extent.last + 1).kind == TokenKind::Equal;
             (assigns && before.extent.last + 2 == token).then_some(ty)
         });
-        match expected.and_then(|ty| self.zero_of(ty)) {
+        match expected.and_then(|ty| ty.zero()) {
             Some(zero) => d.fix(Fix::suggestion(
                 format!("use `{zero}`"),
                 vec![Edit::replace(self.token_span(token), zero)],

@@ -424,10 +424,9 @@ impl ExplainContext<'_> {
         }
         if let Some(variable) = self.left_scope(name, token).filter(|_| !is_call) {
             let declared = self.token_span(variable);
-            let d = d
+            return d
                 .label(declared, "declared here")
                 .note("it is out of scope: the block that declares it has ended");
-            return d.fix(self.declare_before_loop(variable, name));
         }
         if let Some(later) = self.declared_below(name, token).filter(|_| !is_call) {
             return d
@@ -441,7 +440,8 @@ impl ExplainContext<'_> {
         if let Some(d) = (!is_call).then(of_block).flatten() {
             return d;
         }
-        let near = self.nearest_name(text, is_call);
+        let near = self.numbered_element(text).filter(|_| !is_call);
+        let near = near.or_else(|| self.nearest_name(text, is_call));
         let near = near.or_else(|| self.with_prefix(text).filter(|_| !is_call));
         let near = near.or_else(|| self.lost_dot(text).filter(|_| !is_call));
         match near.or_else(|| self.without_double(text, is_call)) {
@@ -535,31 +535,15 @@ impl ExplainContext<'_> {
         all.find(is_it).map(|i| i.token)
     }
 
-    /// Moves the declaration of a `for` variable before the loop.
-    fn declare_before_loop(&self, variable: TokenId, name: Name) -> Option<Fix> {
-        use TokenKind as T;
-        let [ty, open, head, before] =
-            [1, 2, 3, 4].map(|n| Some(self.token(variable.checked_sub(n)?)));
-        let (ty, open, head, before) = (ty?, open?, head?, before?);
-        let is_loop = (ty.kind, open.kind, head.kind) == (T::Type, T::LeftParen, T::For)
-            && matches!(before.kind, T::Semicolon | T::LeftBrace | T::RightBrace);
-        let extent = Extent {
-            first: variable - 3,
-            last: variable,
-        };
-        if !is_loop || !self.is_direct(extent) {
+    /// `iChannelResolution[0]` for `iChannelResolution0`: an array in scope and the number of an element.
+    fn numbered_element(&self, text: &str) -> Option<String> {
+        let array = text.trim_end_matches(|c: char| c.is_ascii_digit());
+        let index = text.get(array.len()..)?.parse::<u32>().ok()?;
+        let Binding::Variable(id) = self.scopes().get(self.names.get(array)?)? else {
             return None;
-        }
-        let (word, text) = (self.sources.text(ty.span), self.text(name));
-        let line = format!("{word} {text};");
-        let edits = vec![
-            Edit::insert(head.span.start, format!("{line} ")),
-            Edit::delete(Span::new(ty.span.start, self.token_span(variable).start)),
-        ];
-        Some(Fix::suggestion(
-            format!("declare it before the loop: `{line}`"),
-            edits,
-        ))
+        };
+        let size = self.variables.get(id.0 as usize)?.ty.array;
+        (index < size).then(|| format!("{array}[{index}]"))
     }
 
     /// The name in scope that is most similar to `text`; one that differs only in case comes first.

@@ -82,7 +82,7 @@ impl ExplainContext<'_> {
             extent,
             format!("`return` without a value in a function returning `{name}`"),
         );
-        let zero = self.zero_of(expected);
+        let zero = expected.zero();
         let place = self.token_span(extent.first);
         d.fix(zero.filter(|_| self.is_direct(extent)).map(|zero| {
             let edit = Edit::insert(place.end, format!(" {zero}"));
@@ -185,7 +185,7 @@ impl ExplainContext<'_> {
                     "use `all(...)` to test every component",
                     edits,
                 ))
-        } else if let Some(zero) = self.zero_of(ty).filter(|_| ty.is_vector()) {
+        } else if let Some(zero) = ty.zero().filter(|_| ty.is_vector()) {
             let edits = self.wrap(id, "any(notEqual(", &format!(", {zero}))"));
             let title = format!("use `any(notEqual(..., {zero}))`");
             d.fix(Fix::suggestion(title, edits))

@@ -34,7 +34,7 @@ impl FaultyShader<'_> {
         }
         // Calls that extend over a statement because a `)` is missing.
         for d in self.errors.iter().take(3) {
-            let near = self.calls.near(self.program, d.span.start);
+            let near = self.calls.near(self.program, d.span);
             for (span, _) in near.iter().rev().take(MAX_LOOKED_AT) {
                 if !self.text(*span).contains(';') {
                     continue;

@@ -39,16 +39,18 @@ impl MacroCalls {
         MacroCalls { all }
     }
 
-    /// The macros called on the line of a position or shortly before it, nearest last.
-    pub fn near(&self, program: &Program, place: u32) -> &[(Span, MacroId)] {
-        let Some(file) = program.sources.file_at(place) else {
+    /// The macros called in an error, on its line or shortly before it, nearest last.
+    pub fn near(&self, program: &Program, error: Span) -> &[(Span, MacroId)] {
+        let Some(file) = program.sources.file_at(error.start) else {
             return &[];
         };
-        let line = file.lines().line(place - file.base);
+        let line = file.lines().line(error.start - file.base);
         let from = file.lines().start(line.saturating_sub(LINES_AFTER));
         let from = file.base + from.unwrap_or(0);
         let first = self.all.partition_point(|(call, _)| call.start < from);
-        let last = self.all.partition_point(|(call, _)| call.start <= place);
+        let last = self
+            .all
+            .partition_point(|(call, _)| call.start <= error.start || error.contains(*call));
         self.all.get(first..last).unwrap_or(&[])
     }
 
@@ -56,7 +58,7 @@ impl MacroCalls {
     pub fn touches(&self, program: &Program, of: Span, d: &Diagnostic) -> bool {
         d.macros.iter().any(|m| m.definition == of)
             || self
-                .near(program, d.span.start)
+                .near(program, d.span)
                 .iter()
                 .rev()
                 .take(MAX_NEAR)

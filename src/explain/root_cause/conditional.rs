@@ -275,7 +275,8 @@ impl FaultyShader<'_> {
         lines
     }
 
-    fn blanks_before(&self, span: Span) -> String {
+    /// The blanks before a place at the start of a line.
+    pub(super) fn blanks_before(&self, span: Span) -> String {
         let Some(code) = self.program.sources.code_at(span.start) else {
             return String::new();
         };

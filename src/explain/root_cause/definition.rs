@@ -79,7 +79,7 @@ impl FaultyShader<'_> {
     fn suspects(&self) -> Vec<MacroId> {
         let mut all: Vec<MacroId> = Vec::new();
         for d in self.errors.iter().take(MAX_LOOKED_AT) {
-            let near: &[_] = MacroCalls::near(&self.calls, self.program, d.span.start);
+            let near: &[_] = MacroCalls::near(&self.calls, self.program, d.span);
             let through = d.macros.iter().filter_map(|used| {
                 let macros = &self.program.tokens.macros;
                 let at = macros.iter().position(|m| m.name_span == used.definition)?;

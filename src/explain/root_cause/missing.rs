@@ -85,11 +85,21 @@ impl Inserted {
     }
 }
 
-/// Declares the names in `errors` that are declared nowhere, as far as it is known what they mean.
+/// How much is known about a name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Knowledge {
+    /// What it means.
+    Meaning,
+    /// Only the type that its uses need.
+    Uses,
+}
+
+/// Declares the names in `errors` that are declared nowhere, as far as this is known of them.
 pub(super) fn declare(
     unit: &Unit,
     program: &Program,
     errors: &[Diagnostic],
+    known: Knowledge,
     search: &mut Search,
 ) -> InsertedNames {
     let mut inserted = Inserted::default();
@@ -100,7 +110,10 @@ pub(super) fn declare(
     let size = program.size() + CANDIDATE_TOKENS;
     // Arguments come after the name of the function that they are for.
     for d in undeclared.rev().take(MAX_NAMES) {
-        let all = declarations(program, d);
+        let all = match known {
+            Knowledge::Meaning => declarations(program, d),
+            Knowledge::Uses => placeholders(program, d),
+        };
         let Some(first) = all.first() else { continue };
         let Some(at) = place(program, d.span, first.is_function) else {
             continue;
@@ -119,7 +132,9 @@ pub(super) fn declare(
                 let after = analyze_single_pass(&copy.unit(unit), search).diagnostics;
                 let after: Vec<Diagnostic> = after.into_iter().map(|d| copy.back(d)).collect();
                 let fails = after.iter().any(|a| same(a, d) || a.span == Span::at(at));
-                (!fails).then_some(after.len())
+                let reveals = after.len() + reported.len() >= errors.len();
+                let is_doubtful = known == Knowledge::Uses && reveals;
+                (!fails && !is_doubtful).then_some(after.len())
             },
         );
         if let Some((declaration, _)) = best {
@@ -227,6 +242,36 @@ fn uniforms(name: &str) -> Vec<NameInsertion> {
         .iter()
         .map(|ty| format!("uniform {ty} {name};"));
     texts.map(line).collect()
+}
+
+/// A parameter of the picture: a uniform, or a constant where the host sets no other uniforms than its own.
+/// Names of other functions and names of one or two letters are rather local variables.
+fn placeholders(program: &Program, d: &Diagnostic) -> Vec<NameInsertion> {
+    let name = program.sources.text(d.span);
+    let is_constant = || name.chars().all(|c| !c.is_ascii_lowercase());
+    let declared = program.names.get(name);
+    let mut variables = program.variables.iter();
+    match name.len() {
+        0..3 => Vec::new(),
+        _ if d.fix.is_some() || !d.labels.is_empty() => Vec::new(),
+        _ if variables.any(|v| Some(v.name) == declared) => Vec::new(),
+        _ if !program.dialect.host().declares_uniforms() && !is_constant() => uniforms(name),
+        _ => constants_of_one(name),
+    }
+}
+
+fn constants_of_one(name: &str) -> Vec<NameInsertion> {
+    let constant = |ty: &&str| {
+        let one = match *ty {
+            "float" => "1.0".to_string(),
+            "int" => "1".to_string(),
+            "bool" => "true".to_string(),
+            ty => format!("{ty}(1.0)"),
+        };
+        let is_value = type_of(ty)?.numeric().is_some();
+        is_value.then(|| line(format!("const {ty} {name} = {one};")))
+    };
+    UNIFORM_TYPES.iter().filter_map(constant).collect()
 }
 
 fn line(text: String) -> NameInsertion {

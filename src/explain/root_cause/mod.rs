@@ -12,6 +12,7 @@ pub(super) mod calls;
 mod candidate;
 mod conditional;
 mod consequences;
+mod declaration;
 mod definition;
 mod edited;
 mod literal;
@@ -24,6 +25,7 @@ use super::single_pass::analyze_single_pass;
 use calls::MacroCalls;
 use candidate::{RepairCandidate, same};
 use edited::EditedUnit;
+use missing::Knowledge;
 use shaderlint_diagnostic::{Diagnostic, Facet, error};
 use shaderlint_semantic::{Program, Unit};
 use shaderlint_syntax::Search;
@@ -58,7 +60,9 @@ pub(super) fn attribute(
     errors: Vec<Diagnostic>,
     search: &mut Search,
 ) -> Vec<Diagnostic> {
-    let mut errors = search.within(MAX_TOKENS, |search| declared(unit, program, errors, search));
+    let mut errors = search.within(MAX_TOKENS, |search| {
+        declared(unit, program, errors, Knowledge::Meaning, search)
+    });
     errors.sort_by_key(|d| (d.span.start, d.span.end));
     consequences::keep_causes(program, &mut errors);
     consequences::keep_end(program, &mut errors);
@@ -79,17 +83,21 @@ fn declared(
     unit: &Unit,
     program: &Program,
     errors: Vec<Diagnostic>,
+    known: Knowledge,
     search: &mut Search,
 ) -> Vec<Diagnostic> {
-    let found = missing::declare(unit, program, &errors, search);
+    let rest = |unit: &Unit, program: &Program, errors, search: &mut Search| match known {
+        Knowledge::Meaning => repair(unit, program, errors, search, MAX_REPAIRS),
+        Knowledge::Uses => errors,
+    };
+    let found = missing::declare(unit, program, &errors, known, search);
     let copy = EditedUnit::new(unit, &found.edits).filter(|_| !found.reported.is_empty());
     let Some(copy) = copy else {
-        return repair(unit, program, errors, search, MAX_REPAIRS);
+        return rest(unit, program, errors, search);
     };
     let declared = copy.unit(unit);
     let analysis = analyze_single_pass(&declared, search);
-    let (program, errors) = (&analysis.program, analysis.diagnostics);
-    let rest = repair(&declared, program, errors, search, MAX_REPAIRS);
+    let rest = rest(&declared, &analysis.program, analysis.diagnostics, search);
     let mut all: Vec<Diagnostic> = rest.into_iter().map(|d| copy.back(d)).collect();
     all.extend(found.reported);
     all
@@ -114,7 +122,7 @@ fn repair(
     };
     let Some(chosen) = case.choose(search) else {
         drop_unproved(program, &mut errors);
-        return errors;
+        return declared(unit, program, errors, Knowledge::Uses, search);
     };
     let Some(copy) = EditedUnit::new(unit, &chosen.edits) else {
         return errors;
@@ -243,7 +251,9 @@ impl FaultyShader<'_> {
         all.extend(self.broken_calls());
         all.extend(self.definitions());
         all.extend(self.macro_fixes());
+        all.extend(self.declarations());
         all.extend(self.text_repairs());
+        all.extend(self.lost_types());
         all.retain(|c| c.edits.iter().all(|e| self.is_user(e.span)));
         all
     }

@@ -22,7 +22,8 @@ pub(super) fn found(code: &str) -> (Vec<String>, String) {
     let reported = reported.collect();
     let fix = diagnostics.first().and_then(|d| d.fix.as_ref());
     let fixed = fix.map_or(text.clone(), |f| apply_edits(&text, 0, &f.edits).unwrap());
-    (reported, fixed.strip_prefix(HEAD).unwrap().to_string())
+    let code = fixed.strip_prefix(HEAD).unwrap_or(&fixed);
+    (reported, code.to_string())
 }
 
 /// Checks that `code` has exactly this error and that its fix leaves none.

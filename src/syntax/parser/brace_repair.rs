@@ -96,7 +96,7 @@ impl Parser<'_> {
     }
 
     /// Where the header of a function definition ends, if one starts here. Its `{` may be missing.
-    fn head_at(&self, at: usize) -> Option<usize> {
+    pub(super) fn head_at(&self, at: usize) -> Option<usize> {
         use TokenKind as T;
         let is_type = matches!(self.token(at).kind, T::Type | T::Void | T::Identifier);
         let is_head = is_type

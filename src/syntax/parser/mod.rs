@@ -90,8 +90,10 @@ pub fn parse(
         parse.tree.lost.extend(&parse.translated.lost);
     }
     let is_broken = |d: &Diagnostic| d.has(Facet::Grammar) || d.is(error::LOCAL_FUNCTION);
-    let broken = parse.diagnostics.iter().filter(|d| is_broken(d)).count();
-    if broken == 0 || broken > MAX_BROKEN_PLACES {
+    let broken = || parse.diagnostics.iter().filter(|d| is_broken(d));
+    // Where only functions are nested, the braces balance.
+    let is_nested = broken().all(|d| d.is(error::LOCAL_FUNCTION));
+    if is_nested || broken().count() > MAX_BROKEN_PLACES {
         return parse;
     }
     let translated = parse.translated;

@@ -15,6 +15,8 @@ const MAX_INDENT: usize = 200;
 const MAX_PARAM_TOKENS: usize = 4_000;
 /// Longest type, in bytes, that a message quotes with its array sizes.
 const MAX_QUOTED: usize = 40;
+/// Longest functions inside a function, in tokens.
+const MAX_NESTED: usize = 1_000;
 
 impl Parser<'_> {
     /// Whether the next token is on another line than the one before it.
@@ -381,9 +383,34 @@ impl Parser<'_> {
     }
 
     /// Whether the function that starts here indicates that the block opened at `open` is unclosed:
-    /// it is not indented more than the line of that block.
+    /// it is not indented more than the line of that block, and no code behind it is.
     pub(super) fn is_left_open(&self, open: TokenId) -> bool {
-        self.starts_line(self.at) && self.indent(self.at) <= self.indent(open as usize)
+        let indent = self.indent(open as usize);
+        if !self.starts_line(self.at) || self.indent(self.at) > indent {
+            return false;
+        }
+        let mut next = self.at;
+        while let Some(after) = self.after_function(next) {
+            next = after;
+        }
+        let ends = [TokenKind::RightBrace, TokenKind::End].contains(&self.token(next).kind);
+        ends || self.indent(next) <= indent
+    }
+
+    /// The token after a function definition, within some distance of the current token.
+    fn after_function(&self, at: usize) -> Option<usize> {
+        let body = self.head_at(at)?;
+        let mut depth = 0_u32;
+        for i in body..self.at + MAX_NESTED {
+            match self.token(i).kind {
+                TokenKind::LeftBrace => depth += 1,
+                TokenKind::RightBrace if depth == 1 => return Some(i + 1),
+                TokenKind::RightBrace => depth = depth.checked_sub(1)?,
+                TokenKind::End => return None,
+                _ => {}
+            }
+        }
+        None
     }
 
     /// Whether `type name (` starts here.

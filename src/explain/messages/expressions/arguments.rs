@@ -176,7 +176,7 @@ impl ExplainContext<'_> {
                 false => format!("{}({value})", self.name_of(ty)),
             });
         }
-        match self.zero_of(ty) {
+        match ty.zero() {
             Some(zero) if !writes && candidate.token.is_some() => Some(zero),
             zero => {
                 let others = variables().filter(|v| !is_given(v) && v.token.is_some());

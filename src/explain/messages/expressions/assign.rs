@@ -346,21 +346,6 @@ impl ExplainContext<'_> {
         )
     }
 
-    /// Zero as a value of a numeric or boolean type.
-    pub(crate) fn zero_of(&self, ty: Type) -> Option<String> {
-        let zero = match ty.scalar_kind()? {
-            Scalar::Float => "0.0",
-            Scalar::Int => "0",
-            Scalar::Uint => "0u",
-            Scalar::Bool => "false",
-        };
-        match ty.is_scalar() {
-            true => Some(zero.to_string()),
-            false if ty.is_array() => None,
-            false => Some(format!("{}({zero})", self.name_of(ty))),
-        }
-    }
-
     /// Whether an expression can be an operand of any operator without parentheses.
     pub(in crate::messages) fn binds_tightly(&self, id: ExprId) -> bool {
         use ExprKind as E;

@@ -57,7 +57,7 @@ impl ExplainContext<'_> {
         let name = self.name_of(ty);
         let message = format!("`{name}()` needs at least one argument");
         let d = self.error_expr(error::CONSTRUCTOR_ARGUMENTS, id, message);
-        let zero = self.zero_of(ty).map(|zero| match ty.is_scalar() {
+        let zero = ty.zero().map(|zero| match ty.is_scalar() {
             true => format!("{name}({zero})"),
             false => zero,
         });

@@ -36,6 +36,14 @@ impl ExplainContext<'_> {
                         d.fix(Fix::safe("use `.length()`", vec![edit]))
                     }
                     LENGTH => d.help("use `.length()`"),
+                    _ if self.is_direct(self.tree.expr(object).extent) => {
+                        let first = format!("{}[0]", self.expr_text(object));
+                        let edit = Edit::insert(self.expr_span(object).end, "[0]");
+                        d.fix(Fix::suggestion(
+                            format!("use an element: `{first}.{text}`"),
+                            vec![edit],
+                        ))
+                    }
                     _ => d.help("index an element first: `a[0]`"),
                 }
             }
@@ -209,14 +217,20 @@ impl ExplainContext<'_> {
     /// `v.f(a)` becomes `f(v, a)`, where there is such a function.
     fn method_as_call(&self, id: ExprId, object: ExprId, name: Name, args: List) -> Option<Fix> {
         let text = self.text(name);
+        // `texture.Sample(state, uv)` in HLSL; the state comes first.
+        let is_sampler = matches!(self.ty(object).base, Base::Sampler(_));
+        let skipped = usize::from(is_sampler && args.len > 1);
         let function = match foreign(text, self.version).map(|f| f.meaning) {
             Some(Meaning::Function(function)) => function,
+            _ if skipped > 0 && args.len > 2 => "textureLod",
+            _ if skipped > 0 && self.builtins.function("texture").is_none() => "texture2D",
+            _ if skipped > 0 => "texture",
             _ if self.builtins.function(text).is_some() => text,
             _ if self.functions_named(name).next().is_some() => text,
             _ => return None,
         };
         let span = self.expr_span(object);
-        let end = match self.tree.args(args).first() {
+        let end = match self.tree.args(args).get(skipped) {
             Some(&first) => Span::new(span.end, self.expr_span(first).start),
             None => Span::new(span.end, self.expr_span(id).end),
         };

@@ -2,6 +2,9 @@
 
 use crate::messages::*;
 
+/// Maximum number of expressions after an operand among which its parent is searched.
+const MAX_LATER: usize = 100;
+
 /// The message for operands that an operator cannot combine.
 fn cannot_combine(symbol: &str, left: &str, right: &str) -> String {
     match symbol {
@@ -129,7 +132,7 @@ impl ExplainContext<'_> {
         let mut edits = Vec::new();
         for &id in all.iter().filter(|&&id| self.ty(id) != Type::BOOL) {
             let ty = self.ty(id);
-            let zero = self.zero_of(ty).filter(|_| ty.is_scalar())?;
+            let zero = ty.zero().filter(|_| ty.is_scalar())?;
             edits.extend(match self.binds_tightly(id) {
                 true => vec![Edit::insert(self.expr_span(id).end, format!(" != {zero}"))],
                 false => self.wrap(id, "(", &format!(") != {zero}")),
@@ -342,8 +345,9 @@ impl ExplainContext<'_> {
                     B::LessEqual => BuiltinId::LessThanEqual,
                     _ => BuiltinId::GreaterThanEqual,
                 };
+                let keeps_each = self.takes_bools(id);
                 as_call(function).map(|mut fix| {
-                    for edit in &mut fix.edits {
+                    for edit in fix.edits.iter_mut().filter(|_| !keeps_each) {
                         edit.text = format!("all({})", edit.text);
                         fix.title = format!("use `{}` to compare every component", edit.text);
                     }
@@ -354,6 +358,31 @@ impl ExplainContext<'_> {
             _ => return d,
         };
         d.fix(fix)
+    }
+
+    /// Whether an operand of a call that takes vectors of `bool`, or the value of such a vector.
+    fn takes_bools(&self, id: ExprId) -> bool {
+        use BuiltinId as B;
+        let extent = self.tree.expr(id).extent;
+        // Parents come after their children.
+        let later = self.tree.exprs.iter().skip(id.0 as usize + 1);
+        let call = later.take(MAX_LATER).find_map(|e| match e.kind {
+            ExprKind::Call(name, args) if self.tree.args(args).contains(&id) => Some(name),
+            _ => None,
+        });
+        let function = call.and_then(|name| BuiltinId::named(self.text(name)));
+        let declarators = &self.tree.declarator_lists;
+        let after = declarators.partition_point(|d| d.extent.first <= extent.first);
+        let declared = declarators.get(after.saturating_sub(1));
+        let declared = declared
+            .filter(|d| d.init == Some(id))
+            .map(|d| d.ident.token);
+        let is_bools = |token: TokenId| {
+            let ty = self.token_span(token.saturating_sub(1));
+            self.sources.text(ty).starts_with("bvec")
+        };
+        matches!(function, Some(B::All | B::Any | B::Not | B::Mix))
+            || declared.is_some_and(is_bools)
     }
 
     /// `l & r` of `bool`s becomes `l && r`.
@@ -503,7 +532,7 @@ impl ExplainContext<'_> {
                 d.fix(edits.map(|e| Fix::suggestion("negate each component with `not(...)`", e)))
             }
             ("!", Some(_)) if ty.is_scalar() => {
-                let zero = self.zero_of(ty).unwrap_or_default();
+                let zero = ty.zero().unwrap_or_default();
                 let edits = negated("(", &format!(" == {zero})"));
                 d.fix(edits.map(|e| Fix::safe(format!("compare with `{zero}`"), e)))
             }

@@ -191,10 +191,11 @@ impl FaultyShader<'_> {
         let is_plain = |i: &usize| {
             is_word(i) && classify(line.token(*i), self.program.version) == WordClass::Plain
         };
-        let words = rest.clone().take_while(is_word).count();
-        let plain = rest.clone().take_while(is_word).filter(is_plain).count();
+        let words = rest.clone().filter(is_word).count();
+        let plain = rest.clone().filter(is_plain).count();
         is_comment(text, SENTENCE)
             && words >= SENTENCE
+            && 2 * words > rest.len()
             && 2 * plain > words
             && TypeWord::named(line.token(at)).is_none()
     }

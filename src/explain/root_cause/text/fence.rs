@@ -1,11 +1,15 @@
-//! Code that was copied with the Markdown around it: only what stands between the fences is code.
+//! Code that was copied with the text around it: only what stands between the fences is code, or what
+//! does not read as prose.
 
 use super::*;
 use shaderlint_diagnostic::error;
+use shaderlint_syntax::{TypeWord, WordClass, classify};
 use shaderlint_text::CompiledText;
 
 /// Maximum number of lines of a text with fences.
 const MAX_LINES: usize = 4_000;
+/// Least number of words in a line of prose that starts with a word of the language.
+const MANY_WORDS: usize = 5;
 
 impl FaultyShader<'_> {
     /// Fences, and prose outside of them, which becomes comments.
@@ -67,6 +71,61 @@ impl FaultyShader<'_> {
             .iter_mut()
             .for_each(|fix| fix.applicability = Applicability::Safe);
         all.push(found);
+    }
+}
+
+impl FaultyShader<'_> {
+    /// Prose before the code, behind it, or both, without a fence.
+    pub(super) fn prose(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+        let code = self.program.sources.code_at(line.start);
+        let Some(code) = code.filter(|code| !code.text.contains("```")) else {
+            return;
+        };
+        let rows = rows(code);
+        let is_prose = |row: &&(u32, &str)| self.is_prose(row.1);
+        let before: Vec<_> = rows.iter().take_while(is_prose).collect();
+        let mut behind: Vec<_> = rows.iter().rev().take_while(is_prose).collect();
+        behind.reverse();
+        for (part, message) in [
+            (before, "unexpected text before the code"),
+            (behind, "unexpected text behind the code"),
+        ] {
+            let full = part.iter().filter(|row| !row.1.trim().is_empty());
+            let edits: Vec<Edit> = full.clone().map(|row| Edit::insert(row.0, "// ")).collect();
+            let Some(first) = full.clone().next().filter(|_| edits.len() > 1) else {
+                continue;
+            };
+            // Only the first line stands for the text.
+            let start = first.0;
+            let span = Span::new(start, start + first.1.trim_end().len() as u32);
+            let mut found = candidate(
+                error::SYNTAX_ERROR,
+                span,
+                message,
+                "make a comment of it",
+                edits,
+            );
+            found
+                .diagnostic
+                .fix
+                .iter_mut()
+                .for_each(|fix| fix.applicability = Applicability::Safe);
+            all.push(found);
+        }
+    }
+
+    /// Whether a line is empty or reads as prose.
+    fn is_prose(&self, text: &str) -> bool {
+        let text = text.trim();
+        let is_letter = |c: char| !c.is_alphanumeric() && c != '_';
+        let mut words = text.split(is_letter).filter(|word| !word.is_empty());
+        let first = words.clone().next().unwrap_or("");
+        let is_plain = classify(first, self.program.version) == WordClass::Plain;
+        let is_directive = text.starts_with('#') && !text.starts_with("# ");
+        let is_comment = text.starts_with("//") || text.starts_with("/*");
+        let has_code = text.contains([';', '{', '}']) || is_directive || is_comment;
+        let is_sentence = is_plain || words.nth(MANY_WORDS - 1).is_some();
+        text.is_empty() || !has_code && is_sentence && TypeWord::named(first).is_none()
     }
 }
 

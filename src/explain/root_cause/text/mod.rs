@@ -42,6 +42,7 @@ impl FaultyShader<'_> {
         for line in &lines {
             self.conflict(line, &mut all);
             self.fences(line, &mut all);
+            self.prose(line, &mut all);
             self.entities(line, &mut all);
             self.pasted_marks(line, &mut all);
             self.comments(line, &mut all);

@@ -24,6 +24,8 @@ impl FaultyShader<'_> {
         self.lost_braces(line, all);
         self.typed_names(line, all);
         for at in 0..line.tokens.len() {
+            self.lost_if(line, at, all);
+            self.type_behind_name(line, at, all);
             self.other_case(line, at, all);
             self.lost_case(line, at, all);
             self.local_qualifier(line, at, all);
@@ -264,6 +266,33 @@ impl FaultyShader<'_> {
             title,
             edits,
         ));
+    }
+
+    /// `} else (c) {`
+    fn lost_if(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        if line.token(at) != "else" || !line.is(at + 1, TokenKind::LeftParen) {
+            return;
+        }
+        let span = line.span(at).to(line.span(at + 1));
+        let edits = vec![Edit::insert(line.span(at).end, " if")];
+        let message = "missing `if` between `else` and a condition";
+        let kind = error::SYNTAX_ERROR;
+        all.push(candidate(kind, span, message, "add `if`", edits));
+    }
+
+    /// `p vec2 = uv;`
+    fn type_behind_name(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        use TokenKind as T;
+        let ends = [T::Equal, T::Semicolon, T::Comma, T::RightParen];
+        let is_pair = self.is_plain(line, at)
+            && TypeWord::named(line.token(at + 1)).is_some()
+            && ends.iter().any(|&kind| line.is(at + 2, kind));
+        if is_pair {
+            let span = line.span(at).to(line.span(at + 1));
+            let text = format!("{} {}", line.token(at + 1), line.token(at));
+            let message = "the type must come before the name";
+            all.push(replacement(error::FOREIGN_SYNTAX, span, message, text));
+        }
     }
 
     /// `Return x;`, `IF (c)`: a keyword in another case.

@@ -29,8 +29,12 @@ impl Checker<'_> {
                 self.result(ty, [l, r], constant)
             }
             Err(mismatch) => {
-                self.refuse(id, &[left, right], mismatch);
-                self.poisoned(op)
+                let unknown = self.refuse(id, &[left, right], mismatch);
+                match mismatch {
+                    // A comparison of vectors may be meant for each component.
+                    TypeMismatch::Operands(Clash::NeedsScalar) => unknown,
+                    _ => self.poisoned(op),
+                }
             }
         }
     }
