@@ -327,48 +327,23 @@ mod tests {
         assert_eq!(format!("{kind}: {decision}"), expected);
     }
 
+    /// A text of a table, with `↵` for a line break and `⇥` for a tab.
+    fn written(text: &str) -> String {
+        text.replace('↵', "\n")
+            .replace('⇥', "\t")
+            .replace("{GLSL}", GLSL)
+    }
+
     const GLSL: &str = "uniform vec2 size;\nvoid main() { gl_FragColor = vec4(size, 0, 1) }";
 
     #[test]
-    fn the_extension_decides_unless_the_text_is_clearly_another_language() {
-        check("a.glsl", GLSL, "shader: the extension indicates GLSL");
-        check(
-            "a.FRAG",
-            "float f() { return 1 }",
-            "shader: the extension indicates GLSL",
-        );
-        check("a.frag", "", "shader: the extension indicates GLSL");
-        check(
-            "a.glsl",
-            "<!DOCTYPE html>\n<p>void main() {}</p>",
-            "other: the content is markup",
-        );
-        check(
-            "a.glsl",
-            "import os\ndef f(x):\n    return 'vec3'\n",
-            "other: the content is Python",
-        );
-        check(
-            "a.glsl",
-            "{\"a\": \"vec3 x\"}",
-            "other: the content is JSON",
-        );
-        check(
-            "a.fs",
-            "module A\nopen System\nlet f x = x\n",
-            "other: the content is F#",
-        );
-        check(
-            "a.fs",
-            ": square dup * ;\n",
-            "other: the content is not GLSL",
-        );
-        check("a.fs", GLSL, "shader: the extension indicates GLSL");
-        check(
-            "a.vue",
-            GLSL,
-            "holds: may contain shaders: the extension indicates a component",
-        );
+    fn names_and_texts_decide() {
+        let cases = include_str!("cases.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (name, rest) = case.split_once(" | ").unwrap();
+            let (text, expected) = rest.rsplit_once(" => ").unwrap();
+            check(name, &written(text), expected);
+        }
     }
 
     #[test]
@@ -391,27 +366,6 @@ mod tests {
     }
 
     #[test]
-    fn files_with_other_extensions_are_glsl_only_if_the_text_clearly_is() {
-        check("a", GLSL, "shader: the content is GLSL");
-        check("a.txt", GLSL, "shader: the content is GLSL");
-        check("a.inc", "#version 300 es\n", "shader: the content is GLSL");
-        let unknown = "other: neither the extension nor the content indicates GLSL";
-        check(
-            "a.txt",
-            "Use vec3 x and gl_FragColor, as you like it best.",
-            unknown,
-        );
-        check("a.txt", "+vec3 a = vec3(1);\n-vec3 a = vec3(2);\n", unknown);
-        check("a.png", "", unknown);
-        check("a.cpp", GLSL, "other: the extension indicates C or C++");
-        check(
-            "a.py",
-            "#version 300 es\nx = 1\n",
-            "other: the extension indicates Python",
-        );
-    }
-
-    #[test]
     fn directives_of_shader_bundles_are_recognised() {
         assert_eq!(
             own_directive("@export a.b\nvoid main() {}\n@end"),
@@ -425,155 +379,35 @@ mod tests {
         assert_eq!(own_directive("float f() { return @SCALE@; }\n@NAME@"), None);
     }
 
-    #[test]
-    fn other_shading_languages_are_recognised() {
-        let vulkan = "layout(set = 0, binding = 1) uniform sampler2D t;\nvoid main() {}\n";
-        for (name, text, reason) in [
-            (
-                "a.glsl",
-                "#version 450\nvoid main() {}",
-                "detected GLSL for OpenGL or Vulkan by `#version 450`",
-            ),
-            (
-                "a.frag",
-                "// x\n#version 310 es\n",
-                "detected GLSL for OpenGL or Vulkan by `#version 310 es`",
-            ),
-            (
-                "a.frag",
-                vulkan,
-                "detected GLSL for OpenGL or Vulkan by `layout(set`",
-            ),
-            (
-                "a.comp",
-                "void main() {}",
-                "the extension indicates a shader stage that WebGL does not have",
-            ),
-            ("a.hlsl", "", "the extension indicates HLSL"),
-            (
-                "a.fx",
-                "cbuffer C : register(b0) { float4 c; };\nfloat4 main() : SV_Target { return c; }",
-                "detected HLSL by `cbuffer C :`, `: register(`, `float4 c`",
-            ),
-            (
-                "a.glsl",
-                "@vertex fn f(@builtin(x) i: u32) {}",
-                "detected WGSL by `@vertex`, `fn f(`, `@builtin(`",
-            ),
-            (
-                "a.glsl",
-                "#include <metal_stdlib>\nkernel void f() {}",
-                "detected Metal by `metal_stdlib`, `kernel void`",
-            ),
-            (
-                "a.shader",
-                "Shader \"x\" { SubShader { Pass { CGPROGRAM",
-                "detected Unity's ShaderLab by `Shader \"x\" {`, `SubShader {`, `CGPROGRAM`",
-            ),
-        ] {
-            check(name, text, &format!("foreign: {reason}"));
-        }
-        check(
-            "a.frag",
-            "#version 301 es\n",
-            "shader: the extension indicates GLSL",
-        );
-    }
-
     /// Shaders of engines: the language, its sign, and a text.
-    const ENGINES: &[(ShaderLanguage, &str, &str)] = &[
-        (
-            ShaderLanguage::Godot,
-            "shader_type spatial",
-            "// Water\nshader_type spatial;\nvarying vec3 at;\nvoid fragment() { ALBEDO = at; }\n",
-        ),
-        (
-            ShaderLanguage::Godot,
-            "uniform float depth : hint_range",
-            "uniform float depth : hint_range(0, 1) = 0.5;\nvec3 shade(vec2 p) { return vec3(p, depth); }\n",
-        ),
-        (
-            ShaderLanguage::Godot,
-            "void fragment(",
-            "void fragment() {\n\tvec4 c = texture(TEXTURE, UV);\n\tCOLOR = c;\n}\n",
-        ),
-        (
-            ShaderLanguage::ReShade,
-            "uniform float Amount < ui_type =",
-            "uniform float Amount < ui_type = \"slider\"; ui_min = 0.0; > = 0.5;\n\
-             sampler2D Back { Texture = Color; };\nvoid mainImage(out float4 c, in float2 p) {}\n",
-        ),
-        (
-            ShaderLanguage::ReShade,
-            "technique Tint {",
-            "technique Tint { pass { VertexShader = FullScreen; PixelShader = PS_Tint; } }\n",
-        ),
-        (
-            ShaderLanguage::RetroArch,
-            "#pragma parameter GLOW \"Glow\" 0",
-            "#version 450\n#pragma parameter GLOW \"Glow\" 0.5 0.0 1.0 0.05\n\
-             layout(push_constant) uniform Push { float GLOW; } p;\n#pragma stage vertex\nvoid main() {}\n",
-        ),
-        (
-            ShaderLanguage::RetroArch,
-            "uniform Push",
-            "#version 450\nlayout(push_constant) uniform Push { vec4 SourceSize; } p;\n\
-             #pragma stage vertex\nvoid main() {}\n#pragma stage fragment\nvoid main() {}\n",
-        ),
-        (
-            ShaderLanguage::Obs,
-            "uniform float4x4 ViewProj",
-            "uniform float4x4 ViewProj;\nuniform texture2d image;\n\
-             float4 shade(VertData v) : TARGET { return image.Sample(s, v.uv); }\n",
-        ),
-        (
-            ShaderLanguage::Obs,
-            "VertData v_in) : TARGET",
-            "float4 mainImage(VertData v_in) : TARGET { return float4(v_in.uv, 0, 1); }\n",
-        ),
-        (
-            ShaderLanguage::Mpv,
-            "//!HOOK LUMA",
-            "//!DESC Sharpen\n//!HOOK LUMA\n//!BIND HOOKED\n\
-             vec4 hook() { return HOOKED_tex(HOOKED_pos) * vec4(1.1); }\n",
-        ),
-        (
-            ShaderLanguage::TouchDesigner,
-            "sTD2DInputs[",
-            "uniform float gain;\nout vec4 color;\nvoid main() {\n    vec4 c = texture(sTD2DInputs[0], vUV.st);\n    \
-             color = TDOutputSwizzle(c * gain);\n}\n",
-        ),
-        (
-            ShaderLanguage::Hlsl,
-            ": SV_Position",
-            "#define vec3 float3\nsampler2D map;\n\
-             float4 PS(float4 at : SV_Position, float2 uv : TEXCOORD0) : SV_Target { return tex2D(map, uv); }\n",
-        ),
-        (
-            ShaderLanguage::Metal,
-            "[[stage_in]]",
-            "#define vec2 float2\nfragment float4 shade(Varying in [[stage_in]]) { return float4(in.uv, 0, 1); }\n",
-        ),
-        (
-            ShaderLanguage::Wgsl,
-            "@location(",
-            "@fragment fn main(@location(0) uv: vec2f) -> @location(0) vec4f { return vec4(uv, 0, 1); }\n",
-        ),
-    ];
+    fn engines() -> Vec<(String, String, String)> {
+        let lines = include_str!("engines.txt").lines();
+        let parts = lines.map(|line| {
+            let (language, rest) = line.split_once(" | ").unwrap();
+            let (sign, text) = rest.split_once(" | ").unwrap();
+            (language.to_string(), sign.to_string(), written(text))
+        });
+        parts.collect()
+    }
 
     #[test]
     fn shaders_of_engines_are_recognised() {
-        for (language, sign, text) in ENGINES {
-            let decision = decide("a.glsl", text, Claim::None);
-            assert_eq!(decision.kind, FileKind::Foreign(*language), "{text}");
-            let range = Evidence::of(text).first_sign(*language).unwrap();
-            assert_eq!(&text[range], *sign, "{text}");
+        for (name, sign, text) in engines() {
+            let FileKind::Foreign(language) = decide("a.glsl", &text, Claim::None).kind else {
+                panic!("{text}");
+            };
+            let range = Evidence::of(&text).first_sign(language).unwrap();
+            assert_eq!(
+                (format!("{language:?}"), &text[range]),
+                (name, sign.as_str()),
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn engine_names_in_comments_and_strings_are_ignored() {
-        for (_, _, text) in ENGINES {
+        for (_, _, text) in engines() {
             let comment: String = text.lines().map(|l| format!("// {l}\n")).collect();
             let block = format!("/*\n{}*/\n", text.replace("/*", "").replace("*/", ""));
             let quoted = format!("#pragma note {:?}\n", text.replace('"', "'"));

@@ -109,7 +109,11 @@ pub(super) fn declare(
         .filter(|d| d.is(error::UNDECLARED_NAME) && d.macros.is_empty());
     let size = program.size() + CANDIDATE_TOKENS;
     // Arguments come after the name of the function that they are for.
+    let name = |d: &Diagnostic| program.sources.text(d.span);
     for d in undeclared.rev().take(MAX_NAMES) {
+        if known == Knowledge::Uses && reported.iter().any(|other| name(other) == name(d)) {
+            continue;
+        }
         let all = match known {
             Knowledge::Meaning => declarations(program, d),
             Knowledge::Uses => placeholders(program, d),

@@ -60,9 +60,7 @@ pub(super) fn attribute(
     errors: Vec<Diagnostic>,
     search: &mut Search,
 ) -> Vec<Diagnostic> {
-    let mut errors = search.within(MAX_TOKENS, |search| {
-        declared(unit, program, errors, Knowledge::Meaning, search)
-    });
+    let mut errors = search.within(MAX_TOKENS, |search| declared(unit, program, errors, search));
     errors.sort_by_key(|d| (d.span.start, d.span.end));
     consequences::keep_causes(program, &mut errors);
     consequences::keep_end(program, &mut errors);
@@ -83,24 +81,38 @@ fn declared(
     unit: &Unit,
     program: &Program,
     errors: Vec<Diagnostic>,
-    known: Knowledge,
     search: &mut Search,
 ) -> Vec<Diagnostic> {
-    let rest = |unit: &Unit, program: &Program, errors, search: &mut Search| match known {
-        Knowledge::Meaning => repair(unit, program, errors, search, MAX_REPAIRS),
-        Knowledge::Uses => errors,
-    };
-    let found = missing::declare(unit, program, &errors, known, search);
+    let found = missing::declare(unit, program, &errors, Knowledge::Meaning, search);
     let copy = EditedUnit::new(unit, &found.edits).filter(|_| !found.reported.is_empty());
     let Some(copy) = copy else {
-        return rest(unit, program, errors, search);
+        return repair(unit, program, errors, search, MAX_REPAIRS);
     };
     let declared = copy.unit(unit);
     let analysis = analyze_single_pass(&declared, search);
-    let rest = rest(&declared, &analysis.program, analysis.diagnostics, search);
+    let (program, errors) = (&analysis.program, analysis.diagnostics);
+    let rest = repair(&declared, program, errors, search, MAX_REPAIRS);
     let mut all: Vec<Diagnostic> = rest.into_iter().map(|d| copy.back(d)).collect();
     all.extend(found.reported);
     all
+}
+
+/// Adds declarations as fixes of names of which only the uses are known: these are guesses, which prove
+/// nothing about other errors. A name that lacks one declaration is one error.
+fn with_guesses(
+    unit: &Unit,
+    program: &Program,
+    mut errors: Vec<Diagnostic>,
+    search: &mut Search,
+) -> Vec<Diagnostic> {
+    let found = missing::declare(unit, program, &errors, Knowledge::Uses, search).reported;
+    let name = |d: &Diagnostic| program.sources.text(d.span);
+    let is_declared = |d: &Diagnostic| {
+        d.is(error::UNDECLARED_NAME) && found.iter().any(|other| name(other) == name(d))
+    };
+    errors.retain(|d| !is_declared(d));
+    errors.extend(found);
+    errors
 }
 
 /// Applies the best repair and continues with the repaired shader; returns all findings.
@@ -122,7 +134,7 @@ fn repair(
     };
     let Some(chosen) = case.choose(search) else {
         drop_unproved(program, &mut errors);
-        return declared(unit, program, errors, Knowledge::Uses, search);
+        return with_guesses(unit, program, errors, search);
     };
     let Some(copy) = EditedUnit::new(unit, &chosen.edits) else {
         return errors;

@@ -95,8 +95,7 @@ impl FaultyShader<'_> {
         let span = Span::new(start, line.end().min(line.start + end as u32 + 2));
         let edits = vec![Edit::insert(start, mark)];
         let message = "missing `/*` before this comment";
-        let kind = error::SYNTAX_ERROR;
-        all.push(candidate(kind, span, message, "add `/*`", edits));
+        all.push(syntax(span, message, "add `/*`", edits));
     }
 
     /// `*/` after the end of the comment.
@@ -158,24 +157,12 @@ impl FaultyShader<'_> {
                     let place = Span::new(from, from + mark.len() as u32);
                     let message = format!("expected `//` before this comment, found `{mark}`");
                     let edits = vec![Edit::replace(place, "//")];
-                    all.push(candidate(
-                        error::SYNTAX_ERROR,
-                        span,
-                        message,
-                        "use `//`",
-                        edits,
-                    ));
+                    all.push(syntax(span, message, "use `//`", edits));
                 }
                 (None, _) if self.is_sentence(line, at) || is_link(rest) => {
                     let message = "missing `//` before this comment";
                     let edits = vec![Edit::insert(from, "// ")];
-                    all.push(candidate(
-                        error::SYNTAX_ERROR,
-                        span,
-                        message,
-                        "add `//`",
-                        edits,
-                    ));
+                    all.push(syntax(span, message, "add `//`", edits));
                 }
                 _ => {}
             }
@@ -191,11 +178,10 @@ impl FaultyShader<'_> {
         let is_plain = |i: &usize| {
             is_word(i) && classify(line.token(*i), self.program.version) == WordClass::Plain
         };
-        let words = rest.clone().filter(is_word).count();
-        let plain = rest.clone().filter(is_plain).count();
+        let words = rest.clone().take_while(is_word).count();
+        let plain = rest.clone().take_while(is_word).filter(is_plain).count();
         is_comment(text, SENTENCE)
             && words >= SENTENCE
-            && 2 * words > rest.len()
             && 2 * plain > words
             && TypeWord::named(line.token(at)).is_none()
     }

@@ -2,7 +2,6 @@
 //! of a diff, numbers of lines.
 
 use super::*;
-use shaderlint_diagnostic::error;
 
 /// Maximum number of lines of a conflict.
 const MAX_LINES: usize = 4_000;
@@ -52,12 +51,11 @@ impl FaultyShader<'_> {
             found = Some(vec![Edit::delete(row)]);
             title = "remove the line";
         }
-        let kind = error::SYNTAX_ERROR;
         let message = match mark {
             0 => "unresolved merge conflict",
             _ => "leftover line of a merge conflict",
         };
-        all.extend(found.map(|edits| candidate(kind, span, message, title, edits)));
+        all.extend(found.map(|edits| syntax(span, message, title, edits)));
     }
 
     /// Deletes the marks and the versions after the first one.
@@ -126,13 +124,7 @@ impl FaultyShader<'_> {
                 .trim_end_matches(['-', '>']);
             let edits = vec![Edit::replace(span, format!("/*{inner}*/"))];
             let message = "expected `/* */` for a comment, found `<!-- -->`";
-            all.push(candidate(
-                error::FOREIGN_SYNTAX,
-                span,
-                message,
-                "use `/* */`",
-                edits,
-            ));
+            all.push(foreign(span, message, "use `/* */`", edits));
             return;
         }
         let mut edits = vec![Edit::delete(span)];
@@ -154,13 +146,7 @@ impl FaultyShader<'_> {
             "unexpected HTML tag `<{}{word}>`",
             if tag.starts_with("</") { "/" } else { "" }
         );
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            "remove the tag",
-            edits,
-        ));
+        all.push(foreign(span, message, "remove the tag", edits));
     }
 
     fn pasted(
@@ -173,7 +159,7 @@ impl FaultyShader<'_> {
     ) {
         let blanks = (line.text.len() - line.text.trim_start().len()) as u32;
         let span = Span::new(line.start + blanks, line.end());
-        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        all.push(syntax(span, message, title, edits));
     }
 }
 

@@ -139,8 +139,7 @@ impl FaultyShader<'_> {
         if count(TokenKind::LeftBrace) != count(TokenKind::RightBrace) + 1 {
             return;
         }
-        let mut found = candidate(
-            error::FOREIGN_SYNTAX,
+        let mut found = foreign(
             line.span(0).to(line.span(1)),
             "a struct cannot have member functions",
             "",

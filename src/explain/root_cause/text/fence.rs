@@ -2,7 +2,6 @@
 //! does not read as prose.
 
 use super::*;
-use shaderlint_diagnostic::error;
 use shaderlint_syntax::{TypeWord, WordClass, classify};
 use shaderlint_text::CompiledText;
 
@@ -57,14 +56,13 @@ impl FaultyShader<'_> {
             false => ("unexpected Markdown fence", "remove the fence"),
         };
         let edits: Vec<Edit> = edits.collect();
-        let kind = error::SYNTAX_ERROR;
         let at = edits.first().map_or(line.start, |edit| edit.span.start);
         let shown = rows
             .iter()
             .find(|row| row.0 == at)
             .map_or("", |row| row.1.trim_end());
         let span = Span::new(at, at + shown.len() as u32);
-        let mut found = candidate(kind, span, message, title, edits);
+        let mut found = syntax(span, message, title, edits);
         found
             .diagnostic
             .fix
@@ -92,19 +90,17 @@ impl FaultyShader<'_> {
         ] {
             let full = part.iter().filter(|row| !row.1.trim().is_empty());
             let edits: Vec<Edit> = full.clone().map(|row| Edit::insert(row.0, "// ")).collect();
-            let Some(first) = full.clone().next().filter(|_| edits.len() > 1) else {
+            let words: usize = full
+                .clone()
+                .map(|row| row.1.split_whitespace().count())
+                .sum();
+            let Some(first) = full.clone().next().filter(|_| words >= MANY_WORDS) else {
                 continue;
             };
             // Only the first line stands for the text.
             let start = first.0;
             let span = Span::new(start, start + first.1.trim_end().len() as u32);
-            let mut found = candidate(
-                error::SYNTAX_ERROR,
-                span,
-                message,
-                "make a comment of it",
-                edits,
-            );
+            let mut found = syntax(span, message, "make a comment of it", edits);
             found
                 .diagnostic
                 .fix

@@ -44,7 +44,7 @@ impl FaultyShader<'_> {
         let message = format!("unexpected space in `{text}`");
         let edits = vec![Edit::delete(gap)];
         let (span, title) = (first.to(second), format!("use `{text}`"));
-        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        all.push(syntax(span, message, title, edits));
     }
 
     /// Whether a word is of the language, or a name that the shader contains elsewhere.

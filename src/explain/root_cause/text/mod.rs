@@ -87,3 +87,23 @@ fn candidate(
         must_reduce: true,
     }
 }
+
+/// A candidate for a syntax error.
+fn syntax(
+    span: Span,
+    message: impl Into<String>,
+    title: impl Into<String>,
+    edits: Vec<Edit>,
+) -> RepairCandidate {
+    candidate(error::SYNTAX_ERROR, span, message, title, edits)
+}
+
+/// A candidate for code of another language.
+fn foreign(
+    span: Span,
+    message: impl Into<String>,
+    title: impl Into<String>,
+    edits: Vec<Edit>,
+) -> RepairCandidate {
+    candidate(error::FOREIGN_SYNTAX, span, message, title, edits)
+}

@@ -114,13 +114,7 @@ impl FaultyShader<'_> {
         let span = line.span(at).to(line.span(at + 1));
         let edits = vec![Edit::replace(span, text.clone())];
         let message = "GLSL has no percentages";
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        all.push(foreign(span, message, format!("use `{text}`"), edits));
     }
 
     /// `"0.5"`, in any quotation marks.
@@ -235,7 +229,7 @@ impl FaultyShader<'_> {
             let edits = vec![Edit::insert(place, " * ")];
             let title = format!("use `{number} * {rest}`");
             let message = format!("missing operator between `{number}` and `{rest}`");
-            all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+            all.push(syntax(span, message, title, edits));
         }
     }
 
@@ -277,13 +271,7 @@ impl FaultyShader<'_> {
         let value = format!("{c} ? {yes} : {}", text(other + 1, end));
         let edits = vec![Edit::replace(span, value.clone())];
         let message = "`if` is a statement and has no value; use `c ? a : b`";
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            format!("use `{value}`"),
-            edits,
-        ));
+        all.push(foreign(span, message, format!("use `{value}`"), edits));
     }
 }
 

@@ -1,7 +1,6 @@
 //! A space lost between two words: `vec2p = q;`, `returnx;`, `constfloat A = 1.0;`.
 
 use super::*;
-use shaderlint_diagnostic::error;
 use shaderlint_semantic::builtins::BuiltinId;
 use shaderlint_syntax::{DIRECTIVES, RawKind, TypeWord, WordClass, classify};
 
@@ -70,7 +69,7 @@ impl FaultyShader<'_> {
         }
         let message = format!("missing space between `{first}` and `{second}`");
         let title = format!("use `{}`", parts.join(" "));
-        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        all.push(syntax(span, message, title, edits));
     }
 }
 

@@ -140,13 +140,7 @@ impl FaultyShader<'_> {
             _ => return,
         }
         let message = format!("unexpected `:` after `{word}`; GLSL uses parentheses and braces");
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            "use parentheses",
-            edits,
-        ));
+        all.push(foreign(span, message, "use parentheses", edits));
     }
 
     /// `if (c) a(); b(); else d();`: several statements before `else` need braces.
@@ -188,7 +182,7 @@ impl FaultyShader<'_> {
         let message = format!("missing `struct` before `{word}`");
         let edits = vec![Edit::insert(span.start, "struct ")];
         let title = format!("use `struct {word}`");
-        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        all.push(syntax(span, message, title, edits));
     }
 
     /// `vec3 o, vec3 d,` as members of a struct.
@@ -232,13 +226,7 @@ impl FaultyShader<'_> {
             return;
         };
         let message = "expected `;` after the member, found `,`";
-        all.push(candidate(
-            error::SYNTAX_ERROR,
-            span,
-            message,
-            "use `;`",
-            edits,
-        ));
+        all.push(syntax(span, message, "use `;`", edits));
     }
 
     /// `float f(p: vec2, k: float)`
@@ -259,13 +247,7 @@ impl FaultyShader<'_> {
         };
         let message = "the type must come before the name";
         let title = format!("use `{}`", first.text);
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            first.span,
-            message,
-            title,
-            edits,
-        ));
+        all.push(foreign(first.span, message, title, edits));
     }
 
     /// `} else (c) {`
@@ -276,8 +258,7 @@ impl FaultyShader<'_> {
         let span = line.span(at).to(line.span(at + 1));
         let edits = vec![Edit::insert(line.span(at).end, " if")];
         let message = "missing `if` between `else` and a condition";
-        let kind = error::SYNTAX_ERROR;
-        all.push(candidate(kind, span, message, "add `if`", edits));
+        all.push(syntax(span, message, "add `if`", edits));
     }
 
     /// `p vec2 = uv;`
@@ -306,7 +287,7 @@ impl FaultyShader<'_> {
         let message = format!("expected `{keyword}`, found `{word}`");
         let title = format!("use `{keyword}`");
         let edits = vec![Edit::replace(span, keyword)];
-        all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+        all.push(syntax(span, message, title, edits));
     }
 
     /// `0: x = 1.0;` in a `switch`
@@ -318,13 +299,7 @@ impl FaultyShader<'_> {
         let span = line.span(at);
         let message = format!("expected `case {}`, found `{0}`", line.token(at));
         let edits = vec![Edit::insert(span.start, "case ")];
-        all.push(candidate(
-            error::SYNTAX_ERROR,
-            span,
-            message,
-            "add `case`",
-            edits,
-        ));
+        all.push(syntax(span, message, "add `case`", edits));
     }
 
     /// `in float x = 0.5;` as a local variable.
@@ -385,13 +360,7 @@ impl FaultyShader<'_> {
             "the arguments of a call have no types, as in `{}(...)`",
             line.token(at)
         );
-        all.push(candidate(
-            error::SYNTAX_ERROR,
-            span,
-            message,
-            "remove the types",
-            edits,
-        ));
+        all.push(syntax(span, message, "remove the types", edits));
     }
 
     /// `v[x]` and `v["x"]`
@@ -408,13 +377,7 @@ impl FaultyShader<'_> {
         let span = line.span(at).to(line.span(after - 1));
         let edits = vec![Edit::replace(span, format!(".{letter}"))];
         let message = format!("`{}` is not an index; use `.{letter}`", inside.trim());
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            format!("use `.{letter}`"),
-            edits,
-        ));
+        all.push(foreign(span, message, format!("use `.{letter}`"), edits));
     }
 
     /// `vec3[1.0, 2.0, 3.0]`
@@ -432,13 +395,7 @@ impl FaultyShader<'_> {
         let edits = vec![Edit::replace(open, "("), Edit::replace(close, ")")];
         let message = format!("`{}` must be called with parentheses", line.token(at));
         let span = line.span(at).to(close);
-        all.push(candidate(
-            error::SYNTAX_ERROR,
-            span,
-            message,
-            "use `(...)`",
-            edits,
-        ));
+        all.push(syntax(span, message, "use `(...)`", edits));
     }
 
     /// `c ? 1.0;`
@@ -458,8 +415,7 @@ impl FaultyShader<'_> {
             let edits = vec![Edit::insert(place, format!(" : {value}"))];
             let message = "missing `:` of the `?:` operator";
             let title = format!("add the other value, such as `: {value}`");
-            all.push(candidate(
-                error::SYNTAX_ERROR,
+            all.push(syntax(
                 Span::new(place, line.span(end).end),
                 message,
                 title,

@@ -1,7 +1,6 @@
 //! Variables and blocks of C++: `vec3 p(1, 2, 3);`, `vec3 p{1, 2, 3};`, `buffer Z { ... };`.
 
 use super::*;
-use shaderlint_diagnostic::error;
 use shaderlint_syntax::{RawKind, TokenKind, TypeWord};
 
 impl FaultyShader<'_> {
@@ -41,13 +40,7 @@ impl FaultyShader<'_> {
         };
         let edits = vec![Edit::replace(span, text.clone())];
         let title = format!("use `{ty} {text}`");
-        all.push(candidate(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            title,
-            edits,
-        ));
+        all.push(foreign(span, message, title, edits));
     }
 
     /// Whether a word is a built-in type or a struct.

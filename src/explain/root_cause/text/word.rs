@@ -69,13 +69,7 @@ impl FaultyShader<'_> {
         let span = line.span(at).to(line.span(at + 1));
         let edits = vec![Edit::replace(span, "=")];
         let message = "unexpected `<-`; assignments use `=`";
-        all.push(candidate(
-            error::SYNTAX_ERROR,
-            span,
-            message,
-            "use `=`",
-            edits,
-        ));
+        all.push(syntax(span, message, "use `=`", edits));
     }
 
     /// `float my-value = 1.0;`
@@ -106,8 +100,8 @@ impl FaultyShader<'_> {
             Edit::replace(Span::new(start, start + name.len() as u32), text.clone())
         });
         let message = format!("unexpected `-` in the name `{name}`");
-        let (kind, title) = (error::SYNTAX_ERROR, format!("use `{text}`"));
-        all.push(candidate(kind, span, message, title, edits.collect()));
+        let title = format!("use `{text}`");
+        all.push(syntax(span, message, title, edits.collect()));
     }
 
     /// `float = 0.0;`: the name may be one that is undeclared later.
@@ -124,7 +118,7 @@ impl FaultyShader<'_> {
             let edits = vec![Edit::insert(line.span(at).end, format!(" {name}"))];
             let message = "expected a name, found `=`";
             let title = format!("add the name `{name}`");
-            all.push(candidate(error::SYNTAX_ERROR, span, message, title, edits));
+            all.push(syntax(span, message, title, edits));
         }
     }
 
@@ -160,8 +154,8 @@ impl FaultyShader<'_> {
         if is_reference {
             let span = line.span(at + 1);
             let edits = vec![Edit::delete(span)];
-            let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no references");
-            all.push(candidate(kind, span, message, "remove `&`", edits));
+            let message = "GLSL has no references";
+            all.push(foreign(span, message, "remove `&`", edits));
         }
     }
 
@@ -179,14 +173,8 @@ impl FaultyShader<'_> {
             line.span(at - 1).end,
             line.span(end).start,
         ))];
-        let (kind, message) = (error::FOREIGN_SYNTAX, "a member cannot have an initializer");
-        all.push(candidate(
-            kind,
-            span,
-            message,
-            "remove the initializer",
-            edits,
-        ));
+        let message = "a member cannot have an initializer";
+        all.push(foreign(span, message, "remove the initializer", edits));
     }
 
     /// `2.0px`, `45.0deg`: a number with a unit.
@@ -245,15 +233,9 @@ impl FaultyShader<'_> {
             };
             let text = format!("{base} = pow({base}, {exponent})");
             let edits = vec![Edit::replace(span, text.clone())];
-            let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no operator `**=`");
+            let message = "GLSL has no operator `**=`";
             let operator = line.span(at).to(line.span(at + 1));
-            all.push(candidate(
-                kind,
-                operator,
-                message,
-                format!("use `{text}`"),
-                edits,
-            ));
+            all.push(foreign(operator, message, format!("use `{text}`"), edits));
         }
     }
 
@@ -342,10 +324,9 @@ impl FaultyShader<'_> {
         let starts = |&at: &usize| line.starts_statement(at) && self.is_plain(line, at);
         for at in (0..line.tokens.len()).filter(starts) {
             let (word, span) = (line.token(at), line.span(at));
-            let kind = error::FOREIGN_SYNTAX;
             let message = format!("GLSL has no `{word}` statement");
             let mut push = |title: &str, edits| {
-                all.push(candidate(kind, span, message.clone(), title, edits));
+                all.push(foreign(span, message.clone(), title, edits));
             };
             if line.is(at + 1, TokenKind::LeftBrace) {
                 let mut edits = vec![Edit::delete(span)];
