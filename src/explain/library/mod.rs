@@ -2,8 +2,8 @@
 //! where one is missing.
 //!
 //! Each function stands in a file of its name, with the overloads that are called so, as code of
-//! GLSL ES 1.00 that 3.00 accepts as well. The files are texts of their own under the 0BSD licence, so
-//! that what is inserted obliges nobody to anything.
+//! GLSL ES 1.00 that 3.00 accepts as well, or has built in. The files are texts of their own under the
+//! 0BSD licence, so that what is inserted obliges nobody to anything.
 
 macro_rules! files {
     ($($folder:ident: $($name:ident)*;)*) => {
@@ -27,6 +27,7 @@ const FUNCTIONS: &[(&str, &str)] = files! {
     rotation: erot rot rotX rotY rotZ rotate rotate2d rotateX rotateY rotateZ setCamera;
     shapes: opIntersection opRep opSmoothIntersection opSmoothSubtraction opSmoothUnion opSubtraction opU
         opUnion pmax pmin smax smin;
+    webgl1: cosh inverse round sinh tanh transpose trunc;
 };
 
 /// The constants, each with its comment.

@@ -104,9 +104,11 @@ pub(super) fn declare(
 ) -> InsertedNames {
     let mut inserted = Inserted::default();
     let mut reported: Vec<Diagnostic> = Vec::new();
-    let undeclared = errors
-        .iter()
-        .filter(|d| d.is(error::UNDECLARED_NAME) && d.macros.is_empty());
+    let is_missing = |d: &&Diagnostic| {
+        let is_later = d.is(error::NEEDS_WEBGL2) && known == Knowledge::Meaning;
+        (d.is(error::UNDECLARED_NAME) || is_later) && d.macros.is_empty()
+    };
+    let undeclared = errors.iter().filter(is_missing);
     let size = program.size() + CANDIDATE_TOKENS;
     // Arguments come after the name of the function that they are for.
     let name = |d: &Diagnostic| program.sources.text(d.span);

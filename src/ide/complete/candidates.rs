@@ -431,7 +431,9 @@ impl Candidates<'_> {
         let program = self.program;
         let own = program.functions.iter().map(|f| program.names.text(f.name));
         let own: BTreeSet<&str> = own.collect();
-        for name in library::function_names().filter(|name| !own.contains(name)) {
+        let built_in = Builtins::of(program.version, program.stage);
+        let lacks = |name: &&str| !own.contains(name) && built_in.function(name).is_none();
+        for name in library::function_names().filter(lacks) {
             let mut parts: Vec<&str> = Vec::new();
             let overloads = library::functions(name);
             for definition in overloads

@@ -56,12 +56,34 @@ impl ExplainContext<'_> {
         let QualifierKind::Layout(entries) = qualifier.kind else {
             return None;
         };
-        if self.tree.layout(entries).len() != 1 || !self.is_direct(qualifier.extent) {
+        if !self.is_direct(qualifier.extent) {
             return None;
+        }
+        let entries = self.tree.layout(entries);
+        if entries.len() > 1 {
+            return self.without_entry(entries, at);
         }
         let next = self.token(qualifier.extent.last + 1).span.start;
         let span = self.span(qualifier.extent);
         let edit = Edit::delete(Span::new(span.start, next.max(span.end)));
         Some(Fix::suggestion("remove the `layout(...)`", vec![edit]))
+    }
+
+    /// Removes one of several entries and a comma.
+    fn without_entry(&self, entries: &[LayoutEntry], at: Extent) -> Option<Fix> {
+        let start = |entry: &LayoutEntry| self.token_span(entry.ident.token).start;
+        let index = entries.iter().position(|e| e.ident.token == at.first)?;
+        let entry = entries.get(index)?;
+        let span = match (index.checked_sub(1), entries.get(index + 1)) {
+            (_, Some(next)) => Span::new(start(entry), start(next)),
+            (before, None) => {
+                let before = entries.get(before?)?;
+                let value = before.value.as_ref().map(|value| value.token);
+                let end = self.token_span(value.unwrap_or(before.ident.token)).end;
+                Span::new(end, self.span(at).end)
+            }
+        };
+        let title = format!("remove `{}`", self.sources.text(self.span(at)));
+        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
     }
 }

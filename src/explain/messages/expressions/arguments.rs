@@ -202,6 +202,44 @@ impl ExplainContext<'_> {
             )
     }
 
+    /// `f(h, s, v)` for a function of a vector: the arguments are its components.
+    pub(super) fn join_arguments(
+        &self,
+        args: &[ExprId],
+        candidates: &[OverloadCandidate],
+    ) -> Option<Fix> {
+        let [candidate] = candidates else { return None };
+        let mut rest = args;
+        let mut edits = Vec::new();
+        let mut title = String::new();
+        for &param in &candidate.params {
+            let (&first, _) = rest.split_first()?;
+            let count = if self.ty(first) == param {
+                1
+            } else {
+                param.components() as usize
+            };
+            let (own, others) = rest.split_at_checked(count)?;
+            rest = others;
+            if count == 1 {
+                continue;
+            }
+            let scalar = Type::scalar(param.scalar_kind().filter(|_| param.is_vector())?);
+            if own.iter().any(|&arg| self.ty(arg) != scalar) {
+                return None;
+            }
+            let all = self.expr_span(first).to(self.expr_span(*own.last()?));
+            let open = format!("{}(", self.name_of(param));
+            title = format!("use `{open}{})`", self.sources.text(all));
+            edits.push(Edit::insert(all.start, open));
+            edits.push(Edit::insert(all.end, ")"));
+        }
+        let is_direct = args
+            .iter()
+            .all(|&arg| self.is_direct(self.tree.expr(arg).extent));
+        (rest.is_empty() && is_direct && !edits.is_empty()).then(|| Fix::suggestion(title, edits))
+    }
+
     /// Swaps two arguments where the swapped order matches a candidate.
     pub(super) fn swap_arguments(
         &self,

@@ -210,7 +210,8 @@ impl ExplainContext<'_> {
         };
         let message = format!("`{text}` expects {expected}, found {}", args.len());
         let d = self.error_expr(error::ARGUMENT_MISMATCH, id, message);
-        let d = match self.drop_arguments(args, candidates) {
+        let joined = self.join_arguments(args, candidates);
+        let d = match joined.or_else(|| self.drop_arguments(args, candidates)) {
             Some(fix) => d.fix(fix),
             None => self.missing_arguments(d, name, args, candidates),
         };

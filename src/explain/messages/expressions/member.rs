@@ -57,14 +57,40 @@ impl ExplainContext<'_> {
         let message = format!("`{}` has no component `{text}`", self.name_of(ty));
         let d = self.error_at(error::INVALID_SWIZZLE, token, message);
         match ty.numeric() {
-            Some((_, 1, 1)) => {
-                d.note("only vectors have components; GLSL ES has no `.x` on scalars")
-            }
+            Some((scalar, 1, 1)) => d
+                .note("only vectors have components; GLSL ES has no `.x` on scalars")
+                .fix(self.repeated(object, text, token, scalar)),
             Some(_) => d.help(
                 "use `m[0]` for a column of a matrix, and `m[0].x` or `m[0][0]` for an element",
             ),
             None => d,
         }
+    }
+
+    /// `x.xxx` of a scalar, as in HLSL, is a vector of it.
+    fn repeated(&self, object: ExprId, text: &str, token: TokenId, of: Scalar) -> Option<Fix> {
+        let is_first = |set: &&&str| text.chars().all(|c| set.starts_with(c));
+        SWIZZLES.iter().find(is_first)?;
+        let place = self.expr_span(object);
+        let extent = Extent {
+            last: token,
+            ..self.tree.expr(object).extent
+        };
+        let rest = Span::new(place.end, self.token_span(token).end);
+        let value = self.expr_text(object);
+        if text.len() > 4 || !self.is_direct(extent) {
+            return None;
+        }
+        if text.len() == 1 {
+            return Some(Fix::safe(
+                format!("use `{value}`"),
+                vec![Edit::delete(rest)],
+            ));
+        }
+        let open = format!("{}(", self.name_of(Type::vector(of, text.len() as u8)));
+        let title = format!("use `{open}{value})`");
+        let edits = vec![Edit::insert(place.start, open), Edit::replace(rest, ")")];
+        Some(Fix::safe(title, edits))
     }
 
     /// A component of a swizzle beyond the size of the vector.

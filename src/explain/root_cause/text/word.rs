@@ -20,6 +20,8 @@ impl FaultyShader<'_> {
             self.left_arrow(line, at, all);
             self.hyphen(line, at, all);
             self.lost_name(line, at, all);
+            self.lost_type_of_constant(line, at, all);
+            self.ellipsis(line, at, all);
             self.direction(line, at, all);
             self.reference(line, at, all);
             self.member_value(line, at, all);
@@ -119,6 +121,37 @@ impl FaultyShader<'_> {
             let message = "expected a name, found `=`";
             let title = format!("add the name `{name}`");
             all.push(syntax(span, message, title, edits));
+        }
+    }
+
+    /// `const r = 0.5;`
+    fn lost_type_of_constant(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_it = line.token(at) == "const"
+            && self.is_plain(line, at + 1)
+            && line.is(at + 2, TokenKind::Equal);
+        if !is_it {
+            return;
+        }
+        let (span, name) = (line.span(at), line.token(at + 1));
+        let message = format!("missing type of `{name}`");
+        for ty in [
+            "float", "vec2", "vec3", "vec4", "int", "bool", "mat2", "mat3",
+        ] {
+            for text in [format!("const {ty}"), ty.to_string()] {
+                let edits = vec![Edit::replace(span, text.clone())];
+                let title = format!("use `{text} {name}`");
+                all.push(syntax(line.span(at + 1), message.clone(), title, edits));
+            }
+        }
+    }
+
+    /// `...` for code that was left out.
+    fn ellipsis(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+        let is_dot = |at: usize| line.is(at, TokenKind::Dot);
+        if line.starts_statement(at) && is_dot(at) && is_dot(at + 1) && is_dot(at + 2) {
+            let span = line.span(at).to(line.span(at + 2));
+            let message = "`...` stands for code that was left out";
+            all.push(syntax(span, message, "remove it", vec![Edit::delete(span)]));
         }
     }
 
