@@ -1,6 +1,6 @@
 //! Candidate repairs.
 
-use shaderlint_diagnostic::Diagnostic;
+use shaderlint_diagnostic::{Applicability, Diagnostic};
 use shaderlint_text::{Edit, Span};
 
 /// A repair to be tried.
@@ -12,6 +12,16 @@ pub(super) struct RepairCandidate {
     pub of: Option<Span>,
     /// Whether it is a repair only if there are fewer errors with it: none may appear in exchange.
     pub must_reduce: bool,
+}
+
+impl RepairCandidate {
+    /// The candidate with a fix that is the only way to read the code.
+    pub fn safe(mut self) -> RepairCandidate {
+        let fix = self.diagnostic.fix.as_mut();
+        fix.into_iter()
+            .for_each(|fix| fix.applicability = Applicability::Safe);
+        self
+    }
 }
 
 /// Whether two findings are about the same mistake.

@@ -98,7 +98,7 @@ impl FaultyShader<'_> {
             .end;
         let value = program.expr_text(init);
         edits.push(Edit::insert(open, format!("\n    {name} = {value};")));
-        let fix = Fix::suggestion("assign it at the start of the entry function", edits);
+        let fix = Fix::safe("assign it at the start of the entry function", edits);
         let mut found = with_fix(d, fix);
         found.diagnostic.help.clear();
         all.push(found);

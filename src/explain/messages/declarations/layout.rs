@@ -66,7 +66,7 @@ impl ExplainContext<'_> {
         let next = self.token(qualifier.extent.last + 1).span.start;
         let span = self.span(qualifier.extent);
         let edit = Edit::delete(Span::new(span.start, next.max(span.end)));
-        Some(Fix::suggestion("remove the `layout(...)`", vec![edit]))
+        Some(Fix::safe("remove the `layout(...)`", vec![edit]))
     }
 
     /// Removes one of several entries and a comma.
@@ -84,6 +84,6 @@ impl ExplainContext<'_> {
             }
         };
         let title = format!("remove `{}`", self.sources.text(self.span(at)));
-        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
+        Some(Fix::safe(title, vec![Edit::delete(span)]))
     }
 }

@@ -69,7 +69,7 @@ impl FaultyShader<'_> {
                 Edit::insert(outer, format!("{text}\n\n")),
                 Edit::delete(whole),
             ];
-            let fix = Fix::suggestion("move it before the function", edits.clone());
+            let fix = Fix::safe("move it before the function", edits.clone());
             all.push(RepairCandidate {
                 edits,
                 diagnostic: d.clone().fix(fix),

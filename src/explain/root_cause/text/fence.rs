@@ -62,13 +62,7 @@ impl FaultyShader<'_> {
             .find(|row| row.0 == at)
             .map_or("", |row| row.1.trim_end());
         let span = Span::new(at, at + shown.len() as u32);
-        let mut found = syntax(span, message, title, edits);
-        found
-            .diagnostic
-            .fix
-            .iter_mut()
-            .for_each(|fix| fix.applicability = Applicability::Safe);
-        all.push(found);
+        all.push(syntax(span, message, title, edits).safe());
     }
 }
 
@@ -100,13 +94,7 @@ impl FaultyShader<'_> {
             // Only the first line stands for the text.
             let start = first.0;
             let span = Span::new(start, start + first.1.trim_end().len() as u32);
-            let mut found = syntax(span, message, "make a comment of it", edits);
-            found
-                .diagnostic
-                .fix
-                .iter_mut()
-                .for_each(|fix| fix.applicability = Applicability::Safe);
-            all.push(found);
+            all.push(syntax(span, message, "make a comment of it", edits).safe());
         }
     }
 

@@ -23,7 +23,7 @@ mod word;
 use super::FaultyShader;
 use super::candidate::RepairCandidate;
 use line::FaultyLine;
-use shaderlint_diagnostic::{Applicability, Diagnostic, ErrorKind, Fix, error};
+use shaderlint_diagnostic::{Diagnostic, ErrorKind, Fix, error};
 use shaderlint_text::{Edit, Span};
 
 /// Maximum number of candidates for one shader.

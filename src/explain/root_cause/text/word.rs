@@ -140,7 +140,7 @@ impl FaultyShader<'_> {
             for text in [format!("const {ty}"), ty.to_string()] {
                 let edits = vec![Edit::replace(span, text.clone())];
                 let title = format!("use `{text} {name}`");
-                all.push(syntax(line.span(at + 1), message.clone(), title, edits));
+                all.push(syntax(line.span(at + 1), message.clone(), title, edits).safe());
             }
         }
     }
