@@ -60,7 +60,7 @@ pub fn lint_within(
     let before = diagnostics.len();
     let mut found = Vec::new();
     walk(program, &facts, rules, settings, &mut found);
-    absorb(&mut found);
+    absorb(program, &mut found);
     diagnostics.append(&mut found);
     if !facts.broken.any() {
         return SkippedRules::Nowhere;

@@ -32,13 +32,16 @@ pub(super) fn placed_message(sources: &Sources, diagnostic: &Diagnostic) -> Stri
     }
 }
 
-/// A message followed by the title of the fix or the first help, for formats without a field for it.
+/// A message followed by the title of the fix or the first help, for formats without a field for it. The
+/// general advice of the message itself gives way to the one for this place.
 pub(super) fn with_advice(message: String, diagnostic: &Diagnostic) -> String {
     let fix = diagnostic.fix.as_ref().map(|f| &f.title);
-    match fix.or(diagnostic.help.first()) {
-        Some(advice) => format!("{message}; {}", clean(advice)),
-        None => message,
-    }
+    let Some(advice) = fix.or(diagnostic.help.first()) else {
+        return message;
+    };
+    let (what, general) = message.split_once("; use `").unwrap_or((&message, ""));
+    let places = general.find(" (also ").and_then(|at| general.get(at..));
+    format!("{what}{}; {}", places.unwrap_or(""), clean(advice))
 }
 
 /// The other places of a finding: `also in lines 12, 14`, or ``also `b` (line 12), `c` (line 14)``

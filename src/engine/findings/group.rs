@@ -89,7 +89,10 @@ fn join_edits(diagnostic: &mut Diagnostic) {
     edits.dedup();
     let overlaps = |pair: &[Edit]| matches!(pair, [a, b] if b.span.start < a.span.end);
     if !edits.windows(2).any(overlaps) {
-        let title = format!("{title}, and the same in {}", count(others, "other place"));
+        let title = match edits.len() {
+            1 => title,
+            _ => format!("{title}, and the same in {}", count(others, "other place")),
+        };
         diagnostic.fix = Some(Fix {
             title,
             applicability,
