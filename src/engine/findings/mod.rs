@@ -63,6 +63,8 @@ pub const STAGES: &[FindingStage] = &[
     // Only what is reported is sorted and counted.
     File(whole_file::drop_hushed),
     File(whole_file::sort),
+    // Lowers errors, before infos are counted.
+    File(whole_file::keep_expected_faults),
     File(whole_file::count_infos),
     // Last, because these decide on all fixes.
     File(whole_file::ask_before_porting),

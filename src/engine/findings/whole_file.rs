@@ -7,6 +7,9 @@ use shaderlint_detect::kind::{FileKind, ShaderLanguage};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::{Encoding, Span};
 
+/// How tests in JavaScript expect an exception: Jest, Vitest, Jasmine and Playwright, Chai, Node.js and QUnit.
+const EXPECTATIONS: &[&str] = &[".toThrow", ".to.throw", ".throws("];
+
 /// Adds what was found when the file was read.
 pub fn add_problems(file: &mut FileCheck) {
     file.report.diagnostics.append(&mut file.problems);
@@ -64,6 +67,34 @@ pub fn ask_before_porting(file: &mut FileCheck) {
     let is_desktop = file.kind == FileKind::Foreign(ShaderLanguage::Desktop);
     if is_desktop && file.context.options.desktop == Desktop::Port {
         ask_first(&mut file.report.diagnostics);
+    }
+}
+
+/// A script that expects an exception tests what happens with a faulty shader, which must stay as it is: the
+/// fixes become help. Errors of a shader in the statement that expects it are meant.
+pub fn keep_expected_faults(file: &mut FileCheck) {
+    let own = file.report.file.and_then(|id| file.report.sources.file(id));
+    let expects = |text: &str| EXPECTATIONS.iter().any(|word| text.contains(word));
+    let is_script = matches!(file.kind, FileKind::Holds(_));
+    let Some(own) = own.filter(|own| is_script && expects(&own.text)) else {
+        return;
+    };
+    let is_meant = |d: &Diagnostic| {
+        let at = d.span.start.saturating_sub(own.base) as usize;
+        let mut all = file.report.embedded.iter();
+        let shader = all.find(|e| (e.start..e.end()).contains(&at));
+        let rest = shader.and_then(|e| own.text.get(e.end()..)).unwrap_or("");
+        expects(rest.split([';', '\n']).next().unwrap_or(""))
+    };
+    for d in &mut file.report.diagnostics {
+        if let Some(fix) = d.fix.take() {
+            d.help.push(fix.title);
+            d.notes
+                .push("not fixed: the script expects an exception".into());
+        }
+        if is_meant(d) {
+            d.severity = Severity::Info;
+        }
     }
 }
 

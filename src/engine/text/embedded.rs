@@ -9,7 +9,7 @@ use crate::shader::input::SplitInput;
 use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::{DocumentLanguage, Embedded, Embedder, LeadingBlanks, Wrapping};
-use shaderlint_detect::kind::own_directive;
+use shaderlint_detect::kind::{Evidence, ShaderLanguage, own_directive};
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
 use shaderlint_host::shadertoy;
 use shaderlint_semantic::snippet::{SnippetItem, items};
@@ -55,10 +55,16 @@ pub fn parts(
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     // A script that contains `#version` may write it before any of its shaders.
     let is_compiled = embedder.hands_over && !text.contains("#version");
+    let is_document = matches!(
+        language,
+        DocumentLanguage::Markdown | DocumentLanguage::Html
+    );
+    let is_desktop = is_document && speaks_of_desktop(text);
     let mut known = ChapterVariables::default();
     for embedded in &all {
         known.enter(embedded.chapter);
-        if own_directive(&embedded.code).is_some() {
+        let is_part = |code: &str| !code.contains("#version") && !guess(code).is_shadertoy();
+        if own_directive(&embedded.code).is_some() || is_desktop && is_part(&embedded.code) {
             continue;
         }
         if foreign::is_reported(&embedded.code, options) {
@@ -103,6 +109,15 @@ fn speaks_of_300(all: &[Embedded]) -> bool {
     };
     let is_old = |e: &Embedded| guess(&e.code).kind == Some(GuessedKind::WebGl1);
     all.iter().any(is_new) && !all.iter().any(is_old)
+}
+
+/// Whether a document has shaders of desktop GLSL and none of GLSL ES. Then its excerpts are desktop GLSL
+/// too.
+fn speaks_of_desktop(text: &str) -> bool {
+    let lines = text.lines().map(str::trim_start);
+    let versions = lines.filter(|line| line.starts_with("#version "));
+    let mut versions = versions.map(|line| Evidence::of(line).foreign()).peekable();
+    versions.peek().is_some() && versions.all(|found| found == Some(ShaderLanguage::Desktop))
 }
 
 fn part(

@@ -3,12 +3,18 @@
 use crate::{Checked, analyze_fragment};
 use shaderlint_text::apply_edits;
 
+const HEAD_LINE: &str = "#version 300 es\n";
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
 
 /// The findings in `code`, each as `line:column rule` with lines counted in `code`, and the code
 /// with the first fix applied.
 pub(super) fn found(code: &str) -> (Vec<String>, String) {
-    let text = format!("{HEAD}{code}");
+    let head = if code.starts_with(HEAD_LINE) {
+        ""
+    } else {
+        HEAD
+    };
+    let text = format!("{head}{code}");
     let Checked {
         program,
         diagnostics,

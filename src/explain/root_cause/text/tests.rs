@@ -1,4 +1,4 @@
-//! A mistake of the text is one error, and its fix leaves none.
+//! A mistake of the text or of a declaration is one error, and its fix leaves none.
 
 use super::super::tests::{check, found, main_with};
 
@@ -6,8 +6,12 @@ const TOP: &str = "float half_of(float x) { return 0.5 * x; }";
 
 /// Code before `main`, or before the last statement of `main`, with `↵` for a line break.
 #[test]
-fn mistakes_of_the_text_are_one_error_each() {
-    let cases = include_str!("cases.txt").lines();
+fn mistakes_of_texts_and_declarations_are_one_error_each() {
+    let tables = [
+        include_str!("cases.txt"),
+        include_str!("../declarations.txt"),
+    ];
+    let cases = tables.iter().flat_map(|table| table.lines());
     for case in cases.filter(|case| !case.starts_with("# ")) {
         let (code, expected) = case.rsplit_once(" ⇒ ").unwrap();
         let code = code.replace('↵', "\n");
