@@ -26,9 +26,9 @@ pub enum VersionAsked {
     Nothing,
     /// GLSL ES 1.00.
     Es100,
-    /// GLSL ES 3.00 or later.
+    /// GLSL ES 3.00.
     Es300,
-    /// Desktop GLSL, with its version number.
+    /// Desktop GLSL or a later GLSL ES, with its version number.
     Desktop(u32),
 }
 
@@ -38,7 +38,7 @@ impl VersionAsked {
         let number = words.next().and_then(|n| n.parse().ok()).unwrap_or(0);
         match (number, words.next()) {
             (100, _) => VersionAsked::Es100,
-            (_, Some("es")) | (300, _) => VersionAsked::Es300,
+            (300, _) => VersionAsked::Es300,
             (number, _) => VersionAsked::Desktop(number),
         }
     }
