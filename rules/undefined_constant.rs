@@ -4,6 +4,7 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar, Value};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_text::number::significant;
 
 pub static RULE: Rule = Rule {
     name: "undefined-constant",
@@ -35,6 +36,7 @@ fn check_call(cx: &mut Context, call: &Builtin) {
         return;
     }
     let name = call.function.name();
+    let number = |v: f32| significant(f64::from(v), 7);
     let one = |is_bad: fn(f32) -> bool| floats(cx, first).find(|v| is_bad(*v));
     let both = |is_bad: fn(f32, f32) -> bool| {
         let second = call.args.get(1).copied()?;
@@ -44,16 +46,16 @@ fn check_call(cx: &mut Context, call: &Builtin) {
     };
     let (message, domain) = match call.function {
         BuiltinId::Acosh => (
-            one(|v| v < 1.0).map(|v| format!("`acosh` of {v:?} is undefined")),
+            one(|v| v < 1.0).map(|v| format!("`acosh` of {} is undefined", number(v))),
             "the argument must be at least 1 (section 8.1)",
         ),
         BuiltinId::Atanh => (
-            one(|v| v.abs() >= 1.0).map(|v| format!("`atanh` of {v:?} is undefined")),
+            one(|v| v.abs() >= 1.0).map(|v| format!("`atanh` of {} is undefined", number(v))),
             "the argument must be between -1 and 1 (section 8.1)",
         ),
         BuiltinId::Pow => (
             both(|a, b| a == 0.0 && b <= 0.0)
-                .map(|(_, b)| format!("`pow` of 0.0 with exponent {b:?} is undefined")),
+                .map(|(_, b)| format!("`pow` of 0.0 with exponent {} is undefined", number(b))),
             "if the base is 0.0, the exponent must be greater than 0.0 (section 8.2)",
         ),
         BuiltinId::Atan => (
@@ -120,7 +122,10 @@ fn check_conversion(cx: &mut Context, id: ExprId) {
     let out = values.filter(is_float).map(|v| f64::from(v.as_float()));
     if let Some(value) = out.into_iter().find(|v| !ends.contains(v) && v.is_finite()) {
         let name = program.type_name(program.ty(id));
-        cx.report_expr(id, format!("{value:e} is out of range for `{name}`"))
-            .note("converting a value that the type cannot hold is undefined (section 5.4.1)");
+        cx.report_expr(
+            id,
+            format!("{} is out of range for `{name}`", significant(value, 7)),
+        )
+        .note("converting a value that the type cannot hold is undefined (section 5.4.1)");
     }
 }

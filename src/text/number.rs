@@ -37,8 +37,22 @@ pub fn grouped(number: u64) -> String {
     text
 }
 
+/// Infinity and NaN in words.
+fn unusual(number: f64) -> Option<String> {
+    let word = match number {
+        f64::INFINITY => "infinity",
+        f64::NEG_INFINITY => "-infinity",
+        number if number.is_nan() => "NaN",
+        _ => return None,
+    };
+    Some(word.to_string())
+}
+
 /// A number with at most so many decimals.
 pub fn decimals(number: f64, most: usize) -> String {
+    if let Some(word) = unusual(number) {
+        return word;
+    }
     let text = format!("{number:.most$}");
     let text = match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.'),
@@ -60,6 +74,9 @@ pub fn seconds(time: f64) -> String {
 
 /// A float of GLSL with up to so many significant digits.
 pub fn significant(number: f64, digits: i32) -> String {
+    if let Some(word) = unusual(number) {
+        return word;
+    }
     if number == 0.0 || number.abs() < 1e-30 {
         return "0.0".to_string();
     }
@@ -133,6 +150,10 @@ mod tests {
         let all = [0.0, 0.1 + 0.2, 12345.678, -5.9604645e-8].map(|n| significant(n, 4));
         assert_eq!(all, ["0.0", "0.3", "12350.0", "-5.96e-8"]);
         assert_eq!(significant(2.0 / 3.0, 3), "0.667");
+        let unusual = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+        let words = ["infinity", "-infinity", "NaN"];
+        assert_eq!(unusual.map(|n| significant(n, 4)), words);
+        assert_eq!(unusual.map(|n| decimals(n, 4)), words);
     }
 
     #[test]
