@@ -12,6 +12,7 @@ use shaderlint_semantic::{Program, Type, Unit};
 use shaderlint_syntax::ast::{DeclKind, Expr, ExprId, ExprKind, Item};
 use shaderlint_syntax::{Search, TypeWord};
 use shaderlint_text::{CompiledText, Edit, FileId, Span};
+use std::collections::BTreeMap;
 
 /// Types of a uniform, most frequent first.
 const UNIFORM_TYPES: &[&str] = &[
@@ -50,18 +51,11 @@ struct NameInsertion {
 
 /// The texts inserted so far, by place.
 #[derive(Clone, Default)]
-struct Inserted(Vec<(u32, Vec<String>)>);
+struct Inserted(BTreeMap<u32, Vec<String>>);
 
 impl Inserted {
     fn add(&mut self, at: u32, parts: &[String]) {
-        let known = self.0.iter().position(|(place, _)| *place == at);
-        let index = known.unwrap_or_else(|| {
-            self.0.push((at, Vec::new()));
-            self.0.len() - 1
-        });
-        let Some((_, texts)) = self.0.get_mut(index) else {
-            return;
-        };
+        let texts = self.0.entry(at).or_default();
         for part in parts {
             if !texts.contains(part) {
                 texts.push(part.clone());
@@ -71,11 +65,9 @@ impl Inserted {
 
     /// The edits; a text that is needed at several places is inserted at the first.
     fn edits(&self) -> Vec<Edit> {
-        let mut places: Vec<&(u32, Vec<String>)> = self.0.iter().collect();
-        places.sort_by_key(|(at, _)| *at);
         let mut seen: Vec<&String> = Vec::new();
         let mut edits = Vec::new();
-        for (at, parts) in places {
+        for (at, parts) in &self.0 {
             let new: Vec<&String> = parts.iter().filter(|part| !seen.contains(part)).collect();
             let text: String = new.iter().map(|part| part.as_str()).collect();
             edits.push(Edit::insert(*at, text));

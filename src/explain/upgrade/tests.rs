@@ -43,17 +43,16 @@ fn vertex(text: &str, expected: &str) {
 }
 
 #[test]
-fn attributes_and_varyings_become_inputs_and_outputs() {
-    vertex(
-        "attribute vec3 at;\nvarying vec2 v;\nvoid main() { v = at.xy; gl_Position = vec4(at, 1.0); }\n",
-        "#version 300 es\nin vec3 at;\nout vec2 v;\nvoid main() { v = at.xy; gl_Position = vec4(at, 1.0); }\n",
-    );
-    fragment(
-        "#version 100\n#ifdef GL_ES\nprecision mediump float;\n#endif\nvarying vec2 v;\n\
-         void main() { gl_FragColor = vec4(v, 0.0, 1.0); }\n",
-        "#version 300 es\n#ifdef GL_ES\nprecision mediump float;\n#endif\nout vec4 fragColor;\nin vec2 v;\n\
-         void main() { fragColor = vec4(v, 0.0, 1.0); }\n",
-    );
+fn shaders_are_converted() {
+    let cases = include_str!("cases.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (text, expected) = case.split_once(" ⇒ ").unwrap();
+        let [text, expected] = [text, expected].map(|text| text.replace('↵', "\n"));
+        match text.strip_prefix("vertex: ") {
+            Some(text) => vertex(text, &expected),
+            None => fragment(text.strip_prefix("fragment: ").unwrap(), &expected),
+        }
+    }
 }
 
 #[test]
@@ -81,24 +80,6 @@ fn outputs_are_declared() {
             "#extension GL_EXT_draw_buffers : enable\n{head}void main() {{ gl_FragColor = vec4(1.0); }}\n"
         ),
         "Broadcast: gl_FragColor",
-    );
-}
-
-#[test]
-fn texture_lookups_and_extensions_are_replaced() {
-    fragment(
-        "#ifdef GL_OES_standard_derivatives\n#extension GL_OES_standard_derivatives : enable\n#endif\n\
-         #extension GL_EXT_shader_texture_lod : enable\n#extension GL_EXT_frag_depth : enable\n\
-         precision highp float;\nuniform sampler2D t;\nuniform samplerCube c;\nvarying vec3 v;\n\
-         #define LOOK(p) texture2D(t, p)\n\
-         void main() {\n    gl_FragColor = LOOK(v.xy) + texture2DProj(t, v) + textureCube(c, v)\n        \
-         + texture2DLodEXT(t, v.xy, 1.0) + fwidth(v.x);\n    gl_FragDepthEXT = 0.5;\n}\n\
-         #if 0\nvec4 f() { return texture2D(t, v.xy); }\n#endif\n",
-        "#version 300 es\nprecision highp float;\nout vec4 fragColor;\nuniform sampler2D t;\n\
-         uniform samplerCube c;\nin vec3 v;\n#define LOOK(p) texture(t, p)\n\
-         void main() {\n    fragColor = LOOK(v.xy) + textureProj(t, v) + texture(c, v)\n        \
-         + textureLod(t, v.xy, 1.0) + fwidth(v.x);\n    gl_FragDepth = 0.5;\n}\n\
-         #if 0\nvec4 f() { return texture(t, v.xy); }\n#endif\n",
     );
 }
 
@@ -155,26 +136,6 @@ fn a_renamed_uniform_is_listed() {
     let done = upgrade(&checked.program).unwrap();
     let renamed = [("texture".to_string(), "myTexture".to_string())];
     assert_eq!(done.renamed, renamed);
-}
-
-#[test]
-fn invariance_and_initial_values_are_converted() {
-    fragment(
-        "#pragma STDGL invariant(all)\nprecision highp float;\ninvariant varying vec2 v;\nvarying float w;\n\
-         invariant w;\nvoid main() { gl_FragColor = vec4(v, w, 1.0); }\n",
-        "#version 300 es\nprecision highp float;\nout vec4 fragColor;\nin vec2 v;\nin float w;\n\
-         void main() { fragColor = vec4(v, w, 1.0); }\n",
-    );
-    vertex(
-        "invariant varying vec2 v;\ninvariant gl_Position;\nvoid main() { v = vec2(0.0); gl_Position = vec4(0.0); }\n",
-        "#version 300 es\ninvariant out vec2 v;\ninvariant gl_Position;\nvoid main() { v = vec2(0.0); gl_Position = vec4(0.0); }\n",
-    );
-    fragment(
-        "precision highp float;\nuniform sampler2D t;\nuniform float u;\nfloat a = u * 2.0;\n\
-         void main() { gl_FragColor = vec4(a); }\n",
-        "#version 300 es\nprecision highp float;\nout vec4 fragColor;\nuniform sampler2D t;\nuniform float u;\nfloat a;\n\
-         void main() {\n    a = u * 2.0; fragColor = vec4(a); }\n",
-    );
 }
 
 #[test]

@@ -10,9 +10,9 @@ const MARKS: [&str; 4] = ["<<<<<<<", "|||||||", "=======", ">>>>>>>"];
 
 /// A line with its line break.
 #[derive(Clone, Copy)]
-struct TextRow<'a> {
-    start: u32,
-    text: &'a str,
+pub(super) struct TextRow<'a> {
+    pub start: u32,
+    pub text: &'a str,
 }
 
 impl TextRow<'_> {
@@ -68,7 +68,7 @@ impl FaultyShader<'_> {
     }
 
     /// The lines from an address on.
-    fn rows_from(&self, start: u32) -> Vec<TextRow<'_>> {
+    pub(super) fn rows_from(&self, start: u32) -> Vec<TextRow<'_>> {
         let Some(code) = self.program.sources.code_at(start) else {
             return Vec::new();
         };

@@ -1,12 +1,10 @@
 //! Code that was copied with the text around it: only what stands between the fences is code, or what
 //! does not read as prose.
 
+use super::conflict::TextRow;
 use super::*;
 use shaderlint_syntax::{TypeWord, WordClass, classify};
-use shaderlint_text::CompiledText;
 
-/// Maximum number of lines of a text with fences.
-const MAX_LINES: usize = 4_000;
 /// Least number of words in a line of prose that starts with a word of the language.
 const MANY_WORDS: usize = 5;
 
@@ -18,12 +16,12 @@ impl FaultyShader<'_> {
         else {
             return;
         };
-        let rows = rows(code);
-        let is_fence = |row: &&(u32, &str)| {
-            let text = row.1.trim_start();
+        let rows = self.rows_from(code.base);
+        let is_fence = |row: &&TextRow| {
+            let text = row.text.trim_start();
             text.starts_with("```") || text.starts_with("~~~")
         };
-        let mut fences = rows.iter().filter(is_fence).map(|row| row.0);
+        let mut fences = rows.iter().filter(is_fence).map(|row| row.start);
         let (Some(first), second) = (fences.next(), fences.next()) else {
             return;
         };
@@ -33,21 +31,24 @@ impl FaultyShader<'_> {
             None if before.contains('{') => (code.base, first),
             second => (first, second.unwrap_or(u32::MAX)),
         };
-        let is_beyond = |row: &(u32, &str)| row.0 < open || row.0 > close;
+        let is_beyond = |row: &TextRow| row.start < open || row.start > close;
         // Code around a fence is kept.
         let has_code = rows
             .iter()
-            .any(|row| is_beyond(row) && row.1.contains(['{', '}']));
-        let is_outside = |row: &&(u32, &str)| !has_code && is_beyond(row);
+            .any(|row| is_beyond(row) && row.text.contains(['{', '}']));
+        let is_outside = |row: &&TextRow| !has_code && is_beyond(row);
         let outside = rows.iter().filter(|row| is_fence(row) || is_outside(row));
         let edits = outside.filter_map(|row| match is_fence(&row) {
-            true => Some(Edit::delete(Span::new(row.0, row.0 + row.1.len() as u32))),
-            false if row.1.trim().is_empty() => None,
-            false => Some(Edit::insert(row.0, "// ")),
+            true => Some(Edit::delete(Span::new(
+                row.start,
+                row.start + row.text.len() as u32,
+            ))),
+            false if row.text.trim().is_empty() => None,
+            false => Some(Edit::insert(row.start, "// ")),
         });
         let (message, title) = match rows
             .iter()
-            .any(|row| is_outside(&row) && !row.1.trim().is_empty())
+            .any(|row| is_outside(&row) && !row.text.trim().is_empty())
         {
             true => (
                 "unexpected Markdown around the code",
@@ -59,8 +60,8 @@ impl FaultyShader<'_> {
         let at = edits.first().map_or(line.start, |edit| edit.span.start);
         let shown = rows
             .iter()
-            .find(|row| row.0 == at)
-            .map_or("", |row| row.1.trim_end());
+            .find(|row| row.start == at)
+            .map_or("", |row| row.text.trim_end());
         let span = Span::new(at, at + shown.len() as u32);
         all.push(syntax(span, message, title, edits).safe());
     }
@@ -73,8 +74,8 @@ impl FaultyShader<'_> {
         let Some(code) = code.filter(|code| !code.text.contains("```")) else {
             return;
         };
-        let rows = rows(code);
-        let is_prose = |row: &&(u32, &str)| self.is_prose(row.1);
+        let rows = self.rows_from(code.base);
+        let is_prose = |row: &&TextRow| self.is_prose(row.text);
         let before: Vec<_> = rows.iter().take_while(is_prose).collect();
         let mut behind: Vec<_> = rows.iter().rev().take_while(is_prose).collect();
         behind.reverse();
@@ -82,18 +83,21 @@ impl FaultyShader<'_> {
             (before, "unexpected text before the code"),
             (behind, "unexpected text behind the code"),
         ] {
-            let full = part.iter().filter(|row| !row.1.trim().is_empty());
-            let edits: Vec<Edit> = full.clone().map(|row| Edit::insert(row.0, "// ")).collect();
+            let full = part.iter().filter(|row| !row.text.trim().is_empty());
+            let edits: Vec<Edit> = full
+                .clone()
+                .map(|row| Edit::insert(row.start, "// "))
+                .collect();
             let words: usize = full
                 .clone()
-                .map(|row| row.1.split_whitespace().count())
+                .map(|row| row.text.split_whitespace().count())
                 .sum();
             let Some(first) = full.clone().next().filter(|_| words >= MANY_WORDS) else {
                 continue;
             };
             // Only the first line stands for the text.
-            let start = first.0;
-            let span = Span::new(start, start + first.1.trim_end().len() as u32);
+            let start = first.start;
+            let span = Span::new(start, start + first.text.trim_end().len() as u32);
             all.push(syntax(span, message, "make a comment of it", edits).safe());
         }
     }
@@ -111,15 +115,4 @@ impl FaultyShader<'_> {
         let is_sentence = is_plain || words.nth(MANY_WORDS - 1).is_some();
         text.is_empty() || !has_code && is_sentence && TypeWord::named(first).is_none()
     }
-}
-
-/// The lines of a text with their line breaks, by address.
-fn rows(code: CompiledText<'_>) -> Vec<(u32, &str)> {
-    let mut at = code.base;
-    let rows = code.text.split_inclusive('\n').take(MAX_LINES).map(|text| {
-        let start = at;
-        at += text.len() as u32;
-        (start, text)
-    });
-    rows.collect()
 }
