@@ -115,6 +115,12 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
             "result of this operation is unused".to_string(),
             assignment(cx, left),
         ),
+        ExprKind::Binary(op, left, _) if can_assign(cx, op, first_operand(tree, left), root) => {
+            let place = program.expr_text(first_operand(tree, left));
+            let edit = Edit::insert(program.expr_span(root).start, format!("{place} = "));
+            let fix = Fix::suggestion(format!("assign the result to `{place}`"), vec![edit]);
+            ("result of this operation is unused".to_string(), Some(fix))
+        }
         ExprKind::Call(_, args) => {
             let name = program.token(inner.extent.first);
             let name = name.map_or("", |t| program.sources.text(t.span));
@@ -156,6 +162,17 @@ fn can_assign(cx: &Context, op: BinaryOp, left: ExprId, root: ExprId) -> bool {
     });
     let has_assignment = !op.compares() && !op.is_logical();
     has_assignment && is_variable && program.ty(left) == program.ty(root)
+}
+
+/// `a` of `a - b - c`
+fn first_operand(tree: &Tree, mut left: ExprId) -> ExprId {
+    while let ExprKind::Binary(op, inner, _) = tree.expr(left).kind
+        && !op.compares()
+        && !op.is_logical()
+    {
+        left = inner;
+    }
+    left
 }
 
 /// `a *= b;` for `a * b;`

@@ -10,6 +10,7 @@ pub mod report;
 mod required;
 mod rules;
 pub mod stage;
+mod style;
 mod surroundings;
 mod typo;
 mod unknown;
@@ -68,5 +69,6 @@ pub const STAGES: &[FindingStage] = &[
     File(whole_file::count_infos),
     // Last, because these decide on all fixes.
     File(whole_file::ask_before_porting),
+    File(style::apply),
     File(whole_file::note_fixes),
 ];
