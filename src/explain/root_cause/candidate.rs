@@ -1,6 +1,6 @@
 //! Candidate repairs.
 
-use shaderlint_diagnostic::{Applicability, Diagnostic};
+use shaderlint_diagnostic::{Applicability, Diagnostic, Fix};
 use shaderlint_text::{Edit, Span};
 
 /// A repair to be tried.
@@ -15,6 +15,16 @@ pub(super) struct RepairCandidate {
 }
 
 impl RepairCandidate {
+    /// A candidate that is reported as the error with another fix.
+    pub fn of_error(d: &Diagnostic, fix: Fix) -> RepairCandidate {
+        RepairCandidate {
+            edits: fix.edits.clone(),
+            diagnostic: d.clone().fix(fix),
+            of: None,
+            must_reduce: true,
+        }
+    }
+
     /// The candidate with a fix that is the only way to read the code.
     pub fn safe(mut self) -> RepairCandidate {
         let fix = self.diagnostic.fix.as_mut();

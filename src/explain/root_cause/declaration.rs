@@ -70,7 +70,7 @@ impl FaultyShader<'_> {
         }
         if let Some(name) = names.first() {
             let fix = Fix::safe(format!("declare `{name}` as `const`"), edits);
-            all.push(with_fix(d, fix));
+            all.push(RepairCandidate::of_error(d, fix));
         }
     }
 
@@ -99,7 +99,7 @@ impl FaultyShader<'_> {
         let value = program.expr_text(init);
         edits.push(Edit::insert(open, format!("\n    {name} = {value};")));
         let fix = Fix::safe("assign it at the start of the entry function", edits);
-        let mut found = with_fix(d, fix);
+        let mut found = RepairCandidate::of_error(d, fix);
         found.diagnostic.help.clear();
         all.push(found);
     }
@@ -133,7 +133,7 @@ impl FaultyShader<'_> {
             for edits in edits {
                 let edits: Vec<Edit> = edits.into_iter().flatten().collect();
                 if !edits.is_empty() {
-                    all.push(with_fix(
+                    all.push(RepairCandidate::of_error(
                         d,
                         Fix::suggestion(format!("use the size {count}"), edits),
                     ));
@@ -172,7 +172,7 @@ impl FaultyShader<'_> {
         let (ty, name) = (program.type_name(ty), program.sources.text(d.span));
         let edits = vec![Edit::insert(d.span.start, format!("{ty} "))];
         let title = format!("declare it: `{ty} {name}`");
-        all.push(with_fix(d, Fix::suggestion(title, edits)));
+        all.push(RepairCandidate::of_error(d, Fix::suggestion(title, edits)));
     }
 
     /// A variable that is used after the block that declares it: it is declared before the block.
@@ -217,7 +217,7 @@ impl FaultyShader<'_> {
             let mut edits = vec![Edit::insert(before.start, text)];
             edits.extend(self.as_assignment(&of));
             let fix = Fix::suggestion(format!("declare `{name}` before the block"), edits);
-            all.push(with_fix(d, fix));
+            all.push(RepairCandidate::of_error(d, fix));
         }
     }
 
@@ -233,7 +233,10 @@ impl FaultyShader<'_> {
             let entry = variable.function.filter(|f| Some(*f) == program.entry());
             if entry.is_some() && variable.storage == Storage::Param(Direction::In) {
                 let edits = vec![Edit::replace(d.span, "gl_FragCoord.xy")];
-                all.push(with_fix(d, Fix::suggestion("use `gl_FragCoord.xy`", edits)));
+                all.push(RepairCandidate::of_error(
+                    d,
+                    Fix::suggestion("use `gl_FragCoord.xy`", edits),
+                ));
             }
             let declarer = variable.function.and_then(|f| program.function(f));
             let declarer = declarer.and_then(|f| tree.function(f.definition?));
@@ -250,7 +253,7 @@ impl FaultyShader<'_> {
             let mut edits = vec![Edit::insert(start, text)];
             edits.extend(self.as_assignment(&of));
             let title = format!("make `{name}` a global variable");
-            all.push(with_fix(d, Fix::suggestion(title, edits)));
+            all.push(RepairCandidate::of_error(d, Fix::suggestion(title, edits)));
         }
     }
 
@@ -391,14 +394,4 @@ impl FaultyShader<'_> {
 /// Whether a token range is in another one.
 fn holds(outer: Extent, inner: Extent) -> bool {
     outer.first <= inner.first && inner.last <= outer.last
-}
-
-/// A candidate that is reported as the error with another fix.
-fn with_fix(d: &Diagnostic, fix: Fix) -> RepairCandidate {
-    RepairCandidate {
-        edits: fix.edits.clone(),
-        diagnostic: d.clone().fix(fix),
-        of: None,
-        must_reduce: true,
-    }
 }

@@ -10,6 +10,7 @@ mod brackets;
 mod call;
 pub(super) mod calls;
 mod candidate;
+mod choice;
 mod conditional;
 mod consequences;
 mod declaration;
@@ -264,6 +265,7 @@ impl FaultyShader<'_> {
         all.extend(self.definitions());
         all.extend(self.macro_fixes());
         all.extend(self.declarations());
+        all.extend(self.choices());
         all.extend(self.text_repairs());
         all.extend(self.lost_types());
         all.retain(|c| c.edits.iter().all(|e| self.is_user(e.span)));

@@ -253,6 +253,9 @@ impl ExplainContext<'_> {
         if let Some(fix) = self.lengthen(self.core(id), size) {
             return Some(fix);
         }
+        if let Some(fix) = self.spread(self.core(id), ty) {
+            return Some(fix);
+        }
         let zeros = ExplainContext::added_components(ty.scalar_kind()?, have, size);
         let span = self.expr_span(id);
         let name = self.name_of(ty);
@@ -260,6 +263,25 @@ impl ExplainContext<'_> {
         let title = format!("use `{name}({text}{zeros})`");
         let edits = self.wrap(id, &format!("{name}("), &format!("{zeros})"));
         Some(Fix::suggestion(title, edits))
+    }
+
+    /// `vec2(x)` of one number becomes `vec3(x)`.
+    fn spread(&self, id: ExprId, ty: Type) -> Option<Fix> {
+        let ExprKind::Construct(spec, args) = self.tree.expr(id).kind else {
+            return None;
+        };
+        let [arg] = self.tree.args(args) else {
+            return None;
+        };
+        let name = self.name_of(ty);
+        let edits = vec![Edit::replace(
+            self.span(self.tree.ty(spec).extent),
+            name.clone(),
+        )];
+        let title = format!("use `{name}({})`", self.expr_text(*arg));
+        self.ty(*arg)
+            .is_scalar()
+            .then(|| Fix::suggestion(title, edits))
     }
 
     /// `.xy` becomes `.xyz`, if the vector has that many components.

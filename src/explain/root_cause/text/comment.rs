@@ -57,13 +57,8 @@ impl FaultyShader<'_> {
         }
         for end in ends {
             let edits = vec![Edit::insert(end, " */")];
-            let fix = Fix::suggestion("add `*/`", edits.clone());
-            all.push(RepairCandidate {
-                edits,
-                diagnostic: d.clone().fix(fix),
-                of: None,
-                must_reduce: true,
-            });
+            let fix = Fix::suggestion("add `*/`", edits);
+            all.push(RepairCandidate::of_error(d, fix));
         }
     }
 

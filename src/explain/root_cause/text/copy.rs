@@ -69,13 +69,8 @@ impl FaultyShader<'_> {
                 Edit::insert(outer, format!("{text}\n\n")),
                 Edit::delete(whole),
             ];
-            let fix = Fix::safe("move it before the function", edits.clone());
-            all.push(RepairCandidate {
-                edits,
-                diagnostic: d.clone().fix(fix),
-                of: None,
-                must_reduce: true,
-            });
+            let fix = Fix::safe("move it before the function", edits);
+            all.push(RepairCandidate::of_error(d, fix));
         }
     }
 

@@ -66,13 +66,8 @@ impl FaultyShader<'_> {
                 continue;
             }
             let edits = vec![Edit::delete(d.span)];
-            let fix = Fix::suggestion("remove it", edits.clone());
-            all.push(RepairCandidate {
-                edits,
-                diagnostic: d.clone().fix(fix),
-                of: None,
-                must_reduce: true,
-            });
+            let fix = Fix::suggestion("remove it", edits);
+            all.push(RepairCandidate::of_error(d, fix));
         }
     }
 

@@ -163,13 +163,8 @@ impl FaultyShader<'_> {
             return;
         };
         let edits = vec![Edit::insert(open, " {"), Edit::insert(d.span.start, "} ")];
-        let fix = Fix::suggestion("enclose the statements before it in braces", edits.clone());
-        all.push(RepairCandidate {
-            edits,
-            diagnostic: d.clone().fix(fix),
-            of: None,
-            must_reduce: true,
-        });
+        let fix = Fix::suggestion("enclose the statements before it in braces", edits);
+        all.push(RepairCandidate::of_error(d, fix));
     }
 
     /// `Ray { vec3 o; };`
