@@ -45,58 +45,16 @@ pub(super) fn main_with(definitions: &str, body: &str) -> String {
     format!("{definitions}\nvoid main() {{\n    {body}\n}}\n")
 }
 
+/// Definitions and directives, and the body of `main` after them.
 #[test]
-fn faulty_macros_are_reported_once_at_the_definition() {
-    let twice = "float a = N * 2.0; float b = (N + 1.0); color = vec4(a, b, N, 1.0);";
-    check(&main_with("#define N 64.0;", twice), "1:15 faulty-macro");
-    check(&main_with("#define N = 64.0", twice), "1:11 faulty-macro");
-    check(&main_with("#define N = 64.0;", twice), "1:11 faulty-macro");
-    check(
-        &main_with("#define N (2.0 * 32.0", twice),
-        "1:22 faulty-macro",
-    );
-    check(
-        &main_with("#define N 2.0 * 32.0)", twice),
-        "1:11 faulty-macro",
-    );
-    check(
-        &main_with("#define N (2 * 3.14)", twice),
-        "1:12 int-float-mix",
-    );
-    check(&main_with("#define N 64", twice), "1:11 int-float-mix");
-    check(&main_with("#define N", twice), "1:9 faulty-macro");
-    check(&main_with("#define N 64.0 *", twice), "1:16 faulty-macro");
-}
-
-#[test]
-fn faulty_macros_with_parameters_are_reported_at_the_definition() {
-    let twice = "float a = SQ(2.0) + 1.0; color = vec4(SQ(a + 1.0));";
-    check(
-        &main_with("#define SQ (x) ((x)*(x))", twice),
-        "1:11 faulty-macro",
-    );
-    check(
-        &main_with("#define SQ(x) ((x)*(y))", twice),
-        "1:21 undeclared-name",
-    );
-    check(
-        &main_with("#define SQ(x) return x*x;", twice),
-        "1:15 faulty-macro",
-    );
-    check(
-        &main_with("#define SQ(float x) x*x", twice),
-        "1:18 bad-directive",
-    );
-    check(&main_with("#define SQ(x x*x", twice), "1:14 bad-directive");
-    check(
-        &main_with("#define SQ(x) max(x,\n    x)", twice),
-        "1:21 faulty-macro",
-    );
-    check(
-        &main_with("#define SQ(x) max(x, \\ \n    x)", twice),
-        "1:23 faulty-macro",
-    );
-    check(&main_with("#defien SQ(x) x*x", twice), "1:1 bad-directive");
+fn faulty_directives_are_reported_once_at_their_cause() {
+    let cases = include_str!("directives.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (code, expected) = case.split_once(" ⇒ ").unwrap();
+        let code = code.replace('↵', "\n");
+        let (head, body) = code.split_once(" ‖ ").unwrap();
+        check(&main_with(head, body), expected);
+    }
 }
 
 #[test]
@@ -130,47 +88,6 @@ fn odd_macros_that_the_browser_accepts_are_not_errors() {
             "{definition}"
         );
     }
-}
-
-#[test]
-fn unbalanced_conditionals_are_reported_at_their_cause() {
-    let main = "void main() { color = vec4(A); }\n";
-    check(
-        &format!("#if 1\n#define A 1.0\n#else\n#define A 2.0\n\n\n{main}"),
-        "1:1 unbalanced-conditional",
-    );
-    check(
-        &format!("#if 0\n#define A 1.0\n#else\n#define A 2.0\n#end if\n{main}"),
-        "5:1 bad-directive",
-    );
-    check(
-        &format!("#if 0\n#define A 1.0\n#elseif 1\n#define A 2.0\n#endif\n{main}"),
-        "3:1 bad-directive",
-    );
-    check(
-        &format!("#define A 1.0\n#ifdef A && GL_ES\n#endif\n{main}"),
-        "2:10 bad-directive",
-    );
-    check(
-        &format!("#define A 1.0\n#if 1 = 1\n#endif\n{main}"),
-        "2:7 preprocessor-expression",
-    );
-    check(
-        &format!("#define A 1.0\n#if 1.0\n#endif\n{main}"),
-        "2:5 preprocessor-expression",
-    );
-    check(
-        &format!("#define A 1.0\n#if defined(A) and 1\n#endif\n{main}"),
-        "2:16 preprocessor-expression",
-    );
-    check(
-        &format!("#define A 1.0\n#ifdef\n#endif\n{main}"),
-        "2:7 bad-directive",
-    );
-    check(
-        &format!("#define A 1.0\n#endif\n{main}"),
-        "2:1 unbalanced-conditional",
-    );
 }
 
 #[test]
