@@ -124,7 +124,7 @@ fn check_conversion(cx: &mut Context, id: ExprId) {
         let name = program.type_name(program.ty(id));
         cx.report_expr(
             id,
-            format!("{} is out of range for `{name}`", significant(value, 7)),
+            format!("{:e} is out of range for `{name}`", value as f32),
         )
         .note("converting a value that the type cannot hold is undefined (section 5.4.1)");
     }

@@ -82,7 +82,7 @@ float a[2] = float[2](vec2(1.));
 struct S { int a; }; S s[2] = S[2](S(1), S(2));
 //: accepted: an array whose length is an expression
 float a[2] = float[1 + 1](1., 2.);
-//: refused 2 type-mismatch: an array whose length is a variable
+//: refused 2 not-constant: an array whose length is a variable
 int n = 2; 
 void main() { float a[2] = float[n](1., 2.); }
 //: refused 2 constructor-arguments: a constructor of samplers

@@ -4,3 +4,4 @@ mod causes;
 mod editor;
 mod formatter;
 mod linking;
+mod versions;

@@ -10,7 +10,7 @@ const MAX_TEXT: usize = 100_000;
 
 /// How a text writes numbers and assignments.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct Style {
+struct WrittenStyle {
     /// `.5`
     is_bare: bool,
     /// `1.`
@@ -28,7 +28,7 @@ pub fn apply(file: &mut FileCheck) {
     let Some(own) = own.filter(|own| has_fix && own.text.len() <= MAX_TEXT) else {
         return;
     };
-    let style = Style::of(&own.text);
+    let style = WrittenStyle::of(&own.text);
     if !(style.is_bare || style.is_open || style.is_tight) {
         return;
     }
@@ -39,8 +39,8 @@ pub fn apply(file: &mut FileCheck) {
     }
 }
 
-impl Style {
-    fn of(text: &str) -> Style {
+impl WrittenStyle {
+    fn of(text: &str) -> WrittenStyle {
         let tokens = tokenize(text, 0);
         let floats = tokens.iter().filter(|t| t.kind == RawKind::Float);
         let floats: Vec<&str> = floats.map(|t| of(text, t)).collect();
@@ -54,7 +54,7 @@ impl Style {
         };
         let equals = (0..tokens.len()).filter(|&at| is_equal(tokens.get(at)));
         let mut spaced = equals.map(|at| is_blank(at + 1)).peekable();
-        Style {
+        WrittenStyle {
             is_bare: prefers(
                 |n| n.starts_with('.'),
                 |n| n.starts_with("0.") && n != "0." && n != "0.0",
@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn numbers_and_assignments_follow_the_file() {
         let check = |file: &str, text: &str, expected: &str| {
-            assert_eq!(Style::of(file).write(text), expected, "{file}");
+            assert_eq!(WrittenStyle::of(file).write(text), expected, "{file}");
         };
         check(
             "float d = 0.5;",

@@ -63,7 +63,10 @@ pub fn parts(
     let mut known = ChapterVariables::default();
     for embedded in &all {
         known.enter(embedded.chapter);
-        let is_part = |code: &str| !code.contains("#version") && !guess(code).is_shadertoy();
+        let is_part = |code: &str| {
+            let guessed = guess(code);
+            !code.contains("#version") && !guessed.has_main && !guessed.is_shadertoy()
+        };
         if own_directive(&embedded.code).is_some() || is_desktop && is_part(&embedded.code) {
             continue;
         }

@@ -11,6 +11,9 @@ use shaderlint_syntax::ast::{
 };
 use shaderlint_text::{Edit, Span};
 
+/// Maximum number of variables that are looked at for an error.
+const MAX_VARIABLES: usize = 8;
+
 /// A declaration of one variable, in the user's text.
 #[derive(Clone, Copy)]
 struct SoleDeclaration<'a> {
@@ -53,7 +56,7 @@ impl FaultyShader<'_> {
     fn lost_const(&self, d: &Diagnostic, all: &mut Vec<RepairCandidate>) {
         let mut edits: Vec<Edit> = Vec::new();
         let mut names: Vec<&str> = Vec::new();
-        for variable in self.variables_in(d.span) {
+        for variable in self.variables_in(d.span).into_iter().take(MAX_VARIABLES) {
             let is_own = matches!(variable.storage, Storage::Local | Storage::Global);
             if variable.is_const || !is_own {
                 continue;
@@ -289,6 +292,7 @@ impl FaultyShader<'_> {
         let variables = program.variables.iter();
         variables
             .filter(|v| Some(v.name) == name && v.function.is_some())
+            .take(MAX_VARIABLES)
             .collect()
     }
 

@@ -30,6 +30,8 @@ const UNIFORM_TYPES: &[&str] = &[
 ];
 /// Maximum number of names that are declared in one shader.
 const MAX_NAMES: usize = 12;
+/// Maximum number of unknown names in a shader for which their uses are asked: one with more lacks a file.
+const MAX_UNKNOWN: usize = 6;
 /// Cost of a candidate in tokens, beyond those of the shader.
 const CANDIDATE_TOKENS: usize = 1_000;
 
@@ -101,6 +103,8 @@ pub(super) fn declare(
         (d.is(error::UNDECLARED_NAME) || is_later) && d.macros.is_empty()
     };
     let undeclared = errors.iter().filter(is_missing);
+    let unknown = undeclared.clone().filter(|d| d.fix.is_none()).count();
+    let undeclared = undeclared.filter(|_| known == Knowledge::Meaning || unknown <= MAX_UNKNOWN);
     let size = program.size() + CANDIDATE_TOKENS;
     // Arguments come after the name of the function that they are for.
     let name = |d: &Diagnostic| program.sources.text(d.span);
@@ -121,8 +125,12 @@ pub(super) fn declare(
             with.add(at, &declaration.parts);
             with
         };
+        // No declaration can do more than mend the errors of its name.
+        let others = errors.iter().filter(|e| name(e) != name(d));
+        let is_open = |e: &&Diagnostic| !reported.iter().any(|other| name(other) == name(e));
+        let enough = others.filter(is_open).count();
         let best = search.fewest(
-            (errors.len() + 1, 0),
+            (errors.len() + 1, enough),
             size,
             all,
             |search, declaration, _| {
@@ -131,8 +139,8 @@ pub(super) fn declare(
                 let after: Vec<Diagnostic> = after.into_iter().map(|d| copy.back(d)).collect();
                 let fails = after.iter().any(|a| same(a, d) || a.span == Span::at(at));
                 let reveals = after.len() + reported.len() >= errors.len();
-                let is_doubtful = known == Knowledge::Uses && reveals;
-                (!fails && !is_doubtful).then_some(after.len())
+                let is_unproved = known == Knowledge::Uses && reveals;
+                (!fails && !is_unproved).then_some(after.len())
             },
         );
         if let Some((declaration, _)) = best {
@@ -252,6 +260,7 @@ fn placeholders(program: &Program, d: &Diagnostic) -> Vec<NameInsertion> {
     match name.len() {
         0..3 => Vec::new(),
         _ if d.fix.is_some() || !d.labels.is_empty() => Vec::new(),
+        _ if !calls(program, name).is_empty() => Vec::new(),
         _ if variables.any(|v| Some(v.name) == declared) => Vec::new(),
         _ if !program.dialect.host().declares_uniforms() && !is_constant() => uniforms(name),
         _ => constants_of_one(name),

@@ -67,41 +67,17 @@ fn in_main(body: &str) -> String {
 }
 
 #[test]
-fn expressions_are_extracted_to_variables() {
-    let check = |before: &str, title: &str, after: &str| {
-        check(&in_main(before), title, &in_main(after));
-    };
-    check(
-        "color = vec4(«p.x * 2.0» + p.y);",
-        "Extract to variable",
-        "float value = p.x * 2.0;\n    color = vec4(¦value + p.y);",
-    );
-    check(
-        "color = vec4(«(p.x + 2.0)» * time);",
-        "Extract to variable",
-        "float value = p.x + 2.0;\n    color = vec4(¦value * time);",
-    );
-    check(
-        "color = vec4(«p.x * 2.0»);\n    color += p.x * 2.0;",
-        "Extract 2 occurrences to variable",
-        "float value = p.x * 2.0;\n    color = vec4(value);\n    color += ¦value;",
-    );
-    check(
-        "if (time > 1.0) color = vec4(«sin(p.x)»);",
-        "Extract to variable",
-        "if (time > 1.0) { float value = sin(p.x); color = vec4(¦value); }",
-    );
-    check(
-        "float t = 0.0; for (int i = 0; i < int(«time * 2.0»); i++) t += 1.0; color = vec4(t);",
-        "Extract to variable",
-        "float t = 0.0; float value = time * 2.0; for (int i = 0; i < int(¦value); i++) t += 1.0; color = vec4(t);",
-    );
-    // A name that is free.
-    check(
-        "float value = 1.0; color = vec4(«p.x * 2.0» + value);",
-        "Extract to variable",
-        "float value = 1.0; float value2 = p.x * 2.0; color = vec4(¦value2 + value);",
-    );
+fn selections_are_refactored() {
+    let cases = include_str!("cases.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (before, rest) = case.split_once(" ‖ ").unwrap();
+        let (title, after) = rest.split_once(" ⇒ ").unwrap();
+        let [before, after] = [before, after].map(|text| text.replace('↵', "\n"));
+        match before.strip_prefix("main: ") {
+            Some(body) => check(&in_main(body), title, &in_main(&after)),
+            None => check(&before, title, &after),
+        }
+    }
 }
 
 #[test]

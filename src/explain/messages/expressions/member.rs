@@ -248,9 +248,9 @@ impl ExplainContext<'_> {
         let skipped = usize::from(is_sampler && args.len > 1);
         let function = match foreign(text, self.version).map(|f| f.meaning) {
             Some(Meaning::Function(function)) => function,
-            _ if skipped > 0 && args.len > 2 => "textureLod",
-            _ if skipped > 0 && self.builtins.function("texture").is_none() => "texture2D",
-            _ if skipped > 0 => "texture",
+            _ if skipped > 0 && args.len > 2 => BuiltinId::TextureLod.name(),
+            _ if skipped > 0 && self.has(Feature::InOut) => BuiltinId::Texture.name(),
+            _ if skipped > 0 => BuiltinId::Texture2D.name(),
             _ if self.builtins.function(text).is_some() => text,
             _ if self.functions_named(name).next().is_some() => text,
             _ => return None,

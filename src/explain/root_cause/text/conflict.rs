@@ -16,8 +16,17 @@ pub(super) struct TextRow<'a> {
 }
 
 impl TextRow<'_> {
-    fn span(&self) -> Span {
+    pub fn span(&self) -> Span {
         Span::new(self.start, self.start + self.text.len() as u32)
+    }
+
+    /// The span without the blanks and the line break at the end.
+    pub fn shown(&self) -> Span {
+        Span::new(self.start, self.start + self.text.trim_end().len() as u32)
+    }
+
+    pub fn is_blank(&self) -> bool {
+        self.text.trim().is_empty()
     }
 
     /// The mark of a merge at its start.

@@ -5,6 +5,8 @@ use super::conflict::TextRow;
 use super::*;
 use shaderlint_syntax::{TypeWord, WordClass, classify};
 
+/// Maximum number of lines of prose.
+const MAX_PROSE: usize = 100;
 /// Least number of words in a line of prose that starts with a word of the language.
 const MANY_WORDS: usize = 5;
 
@@ -39,17 +41,12 @@ impl FaultyShader<'_> {
         let is_outside = |row: &&TextRow| !has_code && is_beyond(row);
         let outside = rows.iter().filter(|row| is_fence(row) || is_outside(row));
         let edits = outside.filter_map(|row| match is_fence(&row) {
-            true => Some(Edit::delete(Span::new(
-                row.start,
-                row.start + row.text.len() as u32,
-            ))),
-            false if row.text.trim().is_empty() => None,
+            true => Some(Edit::delete(row.span())),
+            false if row.is_blank() => None,
             false => Some(Edit::insert(row.start, "// ")),
         });
-        let (message, title) = match rows
-            .iter()
-            .any(|row| is_outside(&row) && !row.text.trim().is_empty())
-        {
+        let is_text = |row: &TextRow| is_outside(&row) && !row.is_blank();
+        let (message, title) = match rows.iter().any(is_text) {
             true => (
                 "unexpected Markdown around the code",
                 "make comments of the text outside the fences",
@@ -58,17 +55,14 @@ impl FaultyShader<'_> {
         };
         let edits: Vec<Edit> = edits.collect();
         let at = edits.first().map_or(line.start, |edit| edit.span.start);
-        let shown = rows
-            .iter()
-            .find(|row| row.start == at)
-            .map_or("", |row| row.text.trim_end());
-        let span = Span::new(at, at + shown.len() as u32);
+        let shown = rows.iter().find(|row| row.start == at);
+        let span = shown.map_or(Span::at(at), TextRow::shown);
         all.push(syntax(span, message, title, edits).safe());
     }
 }
 
 impl FaultyShader<'_> {
-    /// Prose before the code, behind it, or both, without a fence.
+    /// Prose before the code, after it, or both, without a fence.
     pub(super) fn prose(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         let code = self.program.sources.code_at(line.start);
         let Some(code) = code.filter(|code| !code.text.contains("```")) else {
@@ -77,27 +71,26 @@ impl FaultyShader<'_> {
         let rows = self.rows_from(code.base);
         let is_prose = |row: &&TextRow| self.is_prose(row.text);
         let before: Vec<_> = rows.iter().take_while(is_prose).collect();
-        let mut behind: Vec<_> = rows.iter().rev().take_while(is_prose).collect();
-        behind.reverse();
+        let mut after: Vec<_> = rows.iter().rev().take_while(is_prose).collect();
+        after.reverse();
         for (part, message) in [
             (before, "unexpected text before the code"),
-            (behind, "unexpected text behind the code"),
+            (after, "unexpected text after the code"),
         ] {
-            let full = part.iter().filter(|row| !row.text.trim().is_empty());
-            let edits: Vec<Edit> = full
-                .clone()
-                .map(|row| Edit::insert(row.start, "// "))
-                .collect();
-            let words: usize = full
-                .clone()
-                .map(|row| row.text.split_whitespace().count())
-                .sum();
-            let Some(first) = full.clone().next().filter(|_| words >= MANY_WORDS) else {
+            let is_full = |row: &&TextRow| !row.is_blank();
+            let full: Vec<TextRow> = part.into_iter().filter(is_full).copied().collect();
+            let words = full.iter().map(|row| row.text.split_whitespace().count());
+            let is_text = words.sum::<usize>() >= MANY_WORDS && full.len() <= MAX_PROSE;
+            let Some(first) = full.first().filter(|_| is_text) else {
                 continue;
             };
             // Only the first line stands for the text.
-            let start = first.start;
-            let span = Span::new(start, start + first.text.trim_end().len() as u32);
+            let span = Span::new(
+                first.start,
+                first.start + first.text.trim_end().len() as u32,
+            );
+            let edits = full.iter().map(|row| Edit::insert(row.start, "// "));
+            let edits = edits.collect();
             all.push(syntax(span, message, "make a comment of it", edits).safe());
         }
     }

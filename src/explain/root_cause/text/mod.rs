@@ -39,10 +39,13 @@ impl FaultyShader<'_> {
         let lines = self.faulty_lines();
         let mut all = Vec::new();
         self.copies(&mut all);
+        lines
+            .first()
+            .into_iter()
+            .for_each(|line| self.prose(line, &mut all));
         for line in &lines {
             self.conflict(line, &mut all);
             self.fences(line, &mut all);
-            self.prose(line, &mut all);
             self.entities(line, &mut all);
             self.pasted_marks(line, &mut all);
             self.comments(line, &mut all);

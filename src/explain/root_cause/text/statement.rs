@@ -25,7 +25,7 @@ impl FaultyShader<'_> {
         self.typed_names(line, all);
         for at in 0..line.tokens.len() {
             self.lost_if(line, at, all);
-            self.type_behind_name(line, at, all);
+            self.type_after_name(line, at, all);
             self.other_case(line, at, all);
             self.lost_case(line, at, all);
             self.local_qualifier(line, at, all);
@@ -257,7 +257,7 @@ impl FaultyShader<'_> {
     }
 
     /// `p vec2 = uv;`
-    fn type_behind_name(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn type_after_name(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
         use TokenKind as T;
         let ends = [T::Equal, T::Semicolon, T::Comma, T::RightParen];
         let is_pair = self.is_plain(line, at)
