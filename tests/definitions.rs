@@ -58,3 +58,15 @@ fn every_definition_has_a_test() {
         assert!(words.contains(name), "{name}");
     }
 }
+
+/// The value of a global variable may read those before it.
+#[test]
+fn values_that_only_a_function_computes_are_assigned_in_their_order() {
+    let head = "vec2 size = iResolution.xy;\nfloat ratio = size.x / size.y;\n";
+    let body = "void mainImage(out vec4 o, in vec2 p) {\n    o = vec4(p / size, ratio, 1.0);\n}\n";
+    let options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
+    let text = format!("{head}{body}");
+    let fixed = fix_text("a.glsl", &text, &options, &NoFiles, Allow::Safe).text;
+    let assigned = "{\n    size = iResolution.xy;\n    ratio = size.x / size.y;\n    o =";
+    assert!(fixed.contains(assigned), "{fixed}");
+}

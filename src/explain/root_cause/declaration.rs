@@ -6,8 +6,8 @@ use super::{FaultyShader, MAX_LOOKED_AT};
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_semantic::{Direction, Resolution, Storage, Variable};
 use shaderlint_syntax::ast::{
-    ArraySize, DeclKind, Declaration, Declarator, Expr, ExprKind, Extent, FunctionDecl, Qualifier,
-    QualifierKind, Stmt, StmtKind, TypeId,
+    ArraySize, DeclKind, Declaration, Declarator, Expr, ExprId, ExprKind, Extent, FunctionDecl,
+    Qualifier, QualifierKind, Stmt, StmtId, StmtKind, TypeId,
 };
 use shaderlint_text::{Edit, Span};
 
@@ -86,25 +86,48 @@ impl FaultyShader<'_> {
         };
         let entry = program.entry().and_then(|f| program.function(f));
         let entry = entry.and_then(|f| tree.function(f.definition?));
-        let Some(body) = entry.and_then(|f| Some(tree.stmt(f.body?).extent)) else {
+        let Some((entry, body)) = entry.and_then(|f| Some((f, f.body?))) else {
             return;
         };
         let name = program.sources.text(self.name_span(of.declarator));
         let before = Span::new(self.end_of_header(of.declarator), d.span.end);
         let mut edits = self.without_const(&of);
         edits.push(Edit::delete(before));
-        let open = program
-            .span(Extent {
-                last: body.first,
-                ..body
-            })
-            .end;
         let value = program.expr_text(init);
-        edits.push(Edit::insert(open, format!("\n    {name} = {value};")));
-        let fix = Fix::safe("assign it at the start of the entry function", edits);
+        let text = format!("\n    {name} = {value};");
+        edits.push(Edit::insert(self.place_of_value(body, d.span), text));
+        let entry = program.names.text(entry.ident.name);
+        let fix = Fix::safe(format!("assign it at the start of `{entry}`"), edits);
         let mut found = RepairCandidate::of_error(d, fix);
         found.diagnostic.help.clear();
         all.push(found);
+    }
+
+    /// Where a function can compute a value first: at its start, but after assignments of variables that the
+    /// value reads.
+    fn place_of_value(&self, body: StmtId, value: Span) -> u32 {
+        let (program, tree) = (self.program, &self.program.tree);
+        let read = self.variables_in(value);
+        let extent = tree.stmt(body).extent;
+        let first = Extent {
+            last: extent.first,
+            ..extent
+        };
+        let StmtKind::Block(list) = tree.stmt(body).kind else {
+            return program.span(first).end;
+        };
+        let assigned = |id: &StmtId| match tree.stmt(*id).kind {
+            StmtKind::Expr(id) => match tree.expr(id).kind {
+                ExprKind::Assign(None, left, _) => program.variable(program.variable_of(left)?),
+                _ => None,
+            },
+            _ => None,
+        };
+        let leading = tree.block(list).iter();
+        let leading = leading.map_while(|id| Some((tree.stmt(*id).extent, assigned(id)?)));
+        let is_read = |of: &Variable| read.iter().any(|v| v.token == of.token);
+        let last = leading.filter(|(_, of)| is_read(of)).last();
+        program.span(last.map_or(first, |(extent, _)| extent)).end
     }
 
     /// `vec3 a[3] = vec3[4](x, y, z);`: one of the sizes is not that of the value.
@@ -306,7 +329,7 @@ impl FaultyShader<'_> {
     fn global_declaration(
         &self,
         is_meant: impl Fn(&Declarator) -> bool,
-    ) -> Option<(SoleDeclaration<'_>, shaderlint_syntax::ast::ExprId)> {
+    ) -> Option<(SoleDeclaration<'_>, ExprId)> {
         let is_global = |decl: &Declaration| {
             let functions = &self.program.tree.functions;
             !functions.iter().any(|f| holds(f.extent, decl.extent))
