@@ -162,7 +162,8 @@ fn expect_glsl(
     }
     let body = format!("void statements() {{\n{text}\n}}\n");
     let report = try_check(name, &body, Encoding::Utf8, context)?;
-    let is_broken = report.diagnostics.iter().any(|d| d.has(Facet::Grammar));
+    let breaks = |d: &Diagnostic| d.has(Facet::Grammar) || d.is(error::BROWSER_LIMIT);
+    let is_broken = report.diagnostics.iter().any(breaks);
     match is_broken || report.shaders.iter().all(is_lost) {
         true => Err(Unread::NotGlsl),
         false => Ok(()),

@@ -3,7 +3,7 @@
 use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
 use rustc_hash::FxHashSet;
-use shaderlint_syntax::{ConditionalGroups, Feature, GroupDirective, Version};
+use shaderlint_syntax::{ConditionalGroups, Feature, GroupDirective, Version, WordClass, classify};
 use std::ops::Range;
 
 /// Extensions of WebGL1, and the features of WebGL2 that replace them.
@@ -470,7 +470,20 @@ fn may_be_entry(last: &str, after: &str) -> bool {
     let params = after.trim_start().strip_prefix('(');
     let params = params.and_then(|p| p.split(['(', ')', '{', ';']).next());
     let gives = last == "void" || params.is_some_and(|p| p.contains("out "));
+    let gives = gives || is_foreign_definition(last, after);
     gives && params.is_none_or(|p| p.matches(',').count() < 2)
+}
+
+/// Whether a function is defined as in another language: `function f(a) {`, `def f(a):`, `fn f(a) {`.
+fn is_foreign_definition(last: &str, after: &str) -> bool {
+    let is_word = matches!(
+        classify(last, Version::Es300),
+        WordClass::Plain | WordClass::Reserved
+    );
+    let rest = after
+        .split_once(')')
+        .map_or("", |(_, rest)| rest.trim_start());
+    !last.is_empty() && is_word && rest.starts_with(['{', ':'])
 }
 
 /// Whether a function has the parameters of `mainImage`.

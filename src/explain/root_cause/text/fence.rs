@@ -77,6 +77,9 @@ impl FaultyShader<'_> {
             (before, "unexpected text before the code"),
             (after, "unexpected text after the code"),
         ] {
+            if part.len() == rows.len() {
+                continue;
+            }
             let is_full = |row: &&TextRow| !row.is_blank();
             let full: Vec<TextRow> = part.into_iter().filter(is_full).copied().collect();
             let words = full.iter().map(|row| row.text.split_whitespace().count());
@@ -104,7 +107,12 @@ impl FaultyShader<'_> {
         let is_plain = classify(first, self.program.version) == WordClass::Plain;
         let is_directive = text.starts_with('#') && !text.starts_with("# ");
         let is_comment = text.starts_with("//") || text.starts_with("/*");
-        let has_code = text.contains([';', '{', '}']) || is_directive || is_comment;
+        let has_marks = text.contains([';', '{', '}', '=']) || is_directive || is_comment;
+        let calls = |(at, _)| {
+            text.get(..at)
+                .is_some_and(|t| t.ends_with(char::is_alphanumeric))
+        };
+        let has_code = has_marks || text.match_indices('(').any(calls);
         let is_sentence = is_plain || words.nth(MANY_WORDS - 1).is_some();
         text.is_empty() || !has_code && is_sentence && TypeWord::named(first).is_none()
     }

@@ -4,6 +4,7 @@
 use super::*;
 use shaderlint_diagnostic::error;
 use shaderlint_syntax::{RawKind, TokenKind, WordClass, classify};
+use std::ops::Range;
 
 /// Types of a result or of a parameter without a type, the most frequent first.
 const TYPES: [&str; 5] = ["float", "vec2", "vec3", "vec4", "void"];
@@ -47,7 +48,13 @@ impl FaultyShader<'_> {
         }
         let name = line.token(1);
         let span = line.span(0);
-        for header in headers(line, 3..after - 1) {
+        let entry = self.program.dialect.host().entry;
+        let entry = entry.filter(|entry| entry.name == name);
+        let headers = match entry {
+            Some(entry) => vec![entry_header(line, 3..after - 1, entry.signature)],
+            None => headers(line, 3..after - 1),
+        };
+        for header in headers {
             let text = format!("{} {name}({})", header.result, header.parameters);
             let edits = vec![Edit::replace(span.to(line.span(after - 1)), text.clone())];
             let message = format!("expected a return type, found `{word}`");
@@ -132,8 +139,22 @@ fn lambda_body(line: &FaultyLine, at: usize) -> Option<(String, usize)> {
     Some((format!("{{ return {}; }}", value.trim()), end))
 }
 
+/// The header of the entry function with the names of a parameter list between two tokens.
+fn entry_header(line: &FaultyLine, list: Range<usize>, signature: &str) -> InferredHeader {
+    let types = signature.split(['(', ')']).nth(1).unwrap_or("").split(", ");
+    let types = types.filter_map(|param| Some(param.rsplit_once(' ')?.0));
+    let names = list.filter(|&at| line.kind(at) == Some(RawKind::Word));
+    let params = types
+        .zip(names)
+        .map(|(ty, at)| format!("{ty} {}", line.token(at)));
+    InferredHeader {
+        result: "void",
+        parameters: params.collect::<Vec<_>>().join(", "),
+    }
+}
+
 /// The headers that a parameter list between two tokens may stand for.
-fn headers(line: &FaultyLine, list: std::ops::Range<usize>) -> Vec<InferredHeader> {
+fn headers(line: &FaultyLine, list: Range<usize>) -> Vec<InferredHeader> {
     let mut parameters: Vec<Vec<&str>> = vec![Vec::new()];
     for at in list {
         match parameters.last_mut() {
