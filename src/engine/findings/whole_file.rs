@@ -3,6 +3,7 @@
 use super::stage::{FileCheck, ask_first};
 use crate::options::Desktop;
 use crate::text::embedded;
+use shaderlint_detect::embed::DocumentLanguage;
 use shaderlint_detect::kind::{FileKind, ShaderLanguage};
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_text::{Encoding, Span};
@@ -75,7 +76,7 @@ pub fn ask_before_porting(file: &mut FileCheck) {
 pub fn keep_expected_faults(file: &mut FileCheck) {
     let own = file.report.file.and_then(|id| file.report.sources.file(id));
     let expects = |text: &str| EXPECTATIONS.iter().any(|word| text.contains(word));
-    let is_script = matches!(file.kind, FileKind::Holds(_));
+    let is_script = file.kind == FileKind::Holds(DocumentLanguage::Script);
     let Some(own) = own.filter(|own| is_script && expects(&own.text)) else {
         return;
     };

@@ -88,12 +88,8 @@ impl FaultyShader<'_> {
                 continue;
             };
             // Only the first line stands for the text.
-            let span = Span::new(
-                first.start,
-                first.start + first.text.trim_end().len() as u32,
-            );
             let edits = full.iter().map(|row| Edit::insert(row.start, "// "));
-            let edits = edits.collect();
+            let (span, edits) = (first.shown(), edits.collect());
             all.push(syntax(span, message, "make a comment of it", edits).safe());
         }
     }
@@ -101,8 +97,8 @@ impl FaultyShader<'_> {
     /// Whether a line is empty or reads as prose.
     fn is_prose(&self, text: &str) -> bool {
         let text = text.trim();
-        let is_letter = |c: char| !c.is_alphanumeric() && c != '_';
-        let mut words = text.split(is_letter).filter(|word| !word.is_empty());
+        let is_between = |c: char| !c.is_alphanumeric() && c != '_';
+        let mut words = text.split(is_between).filter(|word| !word.is_empty());
         let first = words.clone().next().unwrap_or("");
         let is_plain = classify(first, self.program.version) == WordClass::Plain;
         let is_directive = text.starts_with('#') && !text.starts_with("# ");
