@@ -7,7 +7,7 @@ use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_semantic::{Direction, Resolution, Storage, Variable};
 use shaderlint_syntax::ast::{
     ArraySize, DeclKind, Declaration, Declarator, Expr, ExprId, ExprKind, Extent, FunctionDecl,
-    Qualifier, QualifierKind, Stmt, StmtId, StmtKind, TypeId,
+    Qualifier, QualifierKind, StmtId, StmtKind, TypeId,
 };
 use shaderlint_text::{Edit, Span};
 
@@ -108,11 +108,7 @@ impl FaultyShader<'_> {
     fn place_of_value(&self, body: StmtId, value: Span) -> u32 {
         let (program, tree) = (self.program, &self.program.tree);
         let read = self.variables_in(value);
-        let extent = tree.stmt(body).extent;
-        let first = Extent {
-            last: extent.first,
-            ..extent
-        };
+        let first = Extent::token(tree.stmt(body).extent.first);
         let StmtKind::Block(list) = tree.stmt(body).kind else {
             return program.span(first).end;
         };
@@ -143,7 +139,7 @@ impl FaultyShader<'_> {
             };
             let count = tree.args(args).len().to_string();
             let declared = tree.decls.iter().find_map(|decl| match decl.kind {
-                DeclKind::Variables { ty, .. } if holds(decl.extent, of.extent) => Some(ty),
+                DeclKind::Variables { ty, .. } if decl.extent.contains(of.extent) => Some(ty),
                 _ => None,
             });
             let declared = declared.map(|ty| tree.ty(ty).arrays);
@@ -215,20 +211,15 @@ impl FaultyShader<'_> {
             if !program.span(function.extent).contains(place) || place.start > d.span.start {
                 continue;
             }
-            let is_around = |stmt: &&Stmt| {
-                let StmtKind::Block(body) = stmt.kind else {
-                    return false;
-                };
-                let span = program.span(stmt.extent);
-                span.contains(place) && span.contains(d.span) && !tree.block(body).is_empty()
-            };
             // Children come before their parents.
-            let Some(block) = tree.stmts.iter().find(is_around) else {
-                continue;
-            };
-            let StmtKind::Block(body) = block.kind else {
-                continue;
-            };
+            let around = tree.stmts.iter().find_map(|stmt| match stmt.kind {
+                StmtKind::Block(body) => {
+                    let span = program.span(stmt.extent);
+                    (span.contains(place) && span.contains(d.span)).then_some(body)
+                }
+                _ => None,
+            });
+            let Some(body) = around else { continue };
             let extents = tree.block(body).iter().map(|id| tree.stmt(*id).extent);
             let mut spans = extents.map(|extent| program.span(extent));
             let Some(before) = spans.find(|span| span.contains(place)) else {
@@ -270,7 +261,7 @@ impl FaultyShader<'_> {
                 continue;
             };
             let of = self.sole_declaration(variable);
-            let Some(of) = of.filter(|of| holds(declarer.extent, of.whole)) else {
+            let Some(of) = of.filter(|of| declarer.extent.contains(of.whole)) else {
                 continue;
             };
             let ty = program.span(tree.ty(of.ty).extent);
@@ -290,7 +281,7 @@ impl FaultyShader<'_> {
             let f = program.function(call.callee).and_then(|f| f.definition);
             let f = f.and_then(|f| program.tree.function(f));
             f.is_some_and(|f| f.extent == called.extent)
-                && holds(caller.extent, program.tree.expr(call.expr).extent)
+                && caller.extent.contains(program.tree.expr(call.expr).extent)
         })
     }
 
@@ -332,7 +323,7 @@ impl FaultyShader<'_> {
     ) -> Option<(SoleDeclaration<'_>, ExprId)> {
         let is_global = |decl: &Declaration| {
             let functions = &self.program.tree.functions;
-            !functions.iter().any(|f| holds(f.extent, decl.extent))
+            !functions.iter().any(|f| f.extent.contains(decl.extent))
         };
         let of = self.declaration(is_global, is_meant)?;
         Some((of, of.declarator.init?))
@@ -416,9 +407,4 @@ impl FaultyShader<'_> {
         let mut functions = program.tree.functions.iter();
         functions.find(|f| f.body.is_some() && program.span(f.extent).contains(place))
     }
-}
-
-/// Whether a token range is in another one.
-fn holds(outer: Extent, inner: Extent) -> bool {
-    outer.first <= inner.first && inner.last <= outer.last
 }

@@ -106,8 +106,8 @@ pub(super) fn declare(
     let unknown = undeclared.clone().filter(|d| d.fix.is_none()).count();
     let undeclared = undeclared.filter(|_| known == Knowledge::Meaning || unknown <= MAX_UNKNOWN);
     let size = program.size() + CANDIDATE_TOKENS;
-    // Arguments come after the name of the function that they are for.
     let name = |d: &Diagnostic| program.sources.text(d.span);
+    // Arguments come after the name of the function that they are for.
     for d in undeclared.rev().take(MAX_NAMES) {
         if known == Knowledge::Uses && reported.iter().any(|other| name(other) == name(d)) {
             continue;

@@ -363,7 +363,6 @@ impl ExplainContext<'_> {
     /// Whether an operand of a call that takes vectors of `bool`, or the value of such a vector.
     fn takes_bools(&self, id: ExprId) -> bool {
         use BuiltinId as B;
-        let extent = self.tree.expr(id).extent;
         // Parents come after their children.
         let later = self.tree.exprs.iter().skip(id.0 as usize + 1);
         let call = later.take(MAX_LATER).find_map(|e| match e.kind {
@@ -371,18 +370,9 @@ impl ExplainContext<'_> {
             _ => None,
         });
         let function = call.and_then(|name| BuiltinId::named(self.text(name)));
-        let declarators = &self.tree.declarator_lists;
-        let after = declarators.partition_point(|d| d.extent.first <= extent.first);
-        let declared = declarators.get(after.saturating_sub(1));
-        let declared = declared
-            .filter(|d| d.init == Some(id))
-            .map(|d| d.ident.token);
-        let is_bools = |token: TokenId| {
-            let ty = self.token_span(token.saturating_sub(1));
-            self.sources.text(ty).starts_with("bvec")
-        };
+        let bools = |ty: Type| ty.is_vector() && ty.scalar_kind() == Some(Scalar::Bool);
         matches!(function, Some(B::All | B::Any | B::Not | B::Mix))
-            || declared.is_some_and(is_bools)
+            || self.root_expr == id && self.expected.is_some_and(bools)
     }
 
     /// `l & r` of `bool`s becomes `l && r`.
