@@ -491,9 +491,10 @@ impl<'p> ChunkReader<'p> {
         self.is_undecided(definition) || is_of_host && !is_renaming
     }
 
-    /// Whether a position is in a group that the host may skip.
+    /// Whether a position is in a group of the fragment that the host may skip. The groups of its own
+    /// text are decided.
     fn is_undecided(&self, span: Span) -> bool {
-        !span.is_empty() && self.program.tokens.is_undecided(span)
+        !span.is_empty() && self.is_user(span) && self.program.tokens.is_undecided(span)
     }
 
     /// Where the fragment uses names that skipped groups declare too.

@@ -198,6 +198,7 @@ pub fn guess(text: &str) -> Guess {
     let stage = match kind {
         Some(GuessedKind::ShaderToy(_)) => Some(Stage::Fragment),
         _ if seen.vertex => Some(Stage::Vertex),
+        _ if seen.fragment => Some(Stage::Fragment),
         _ => None,
     };
     Guess {
@@ -313,11 +314,15 @@ const VERTEX_WORDS: [&str; 5] = [
 ];
 
 /// Inputs and outputs of fragment shaders.
-const FRAGMENT_WORDS: [&str; 4] = [
+const FRAGMENT_WORDS: [&str; 8] = [
     "gl_FragColor",
     "gl_FragData",
     "gl_FragCoord",
+    "gl_FragDepth",
+    "gl_FragDepthEXT",
     "gl_FrontFacing",
+    "gl_PointCoord",
+    "discard",
 ];
 
 /// What a line is.
@@ -556,7 +561,7 @@ mod tests {
             Some(GuessedKind::WebGl2),
         );
         let found = super::guess("#define attribute in\nvoid main(){ gl_FragColor = vec4(1); }");
-        assert_eq!(found.stage, None);
+        assert_eq!(found.stage, Some(Stage::Fragment));
         assert_eq!(
             guess("void main(){gl_Position=vec4(0);}").stage,
             Some(Stage::Vertex)
