@@ -393,8 +393,7 @@ impl Seen {
         let mut last = "";
         let mut line = TextLine::Code;
         let mut groups = SkippedBranches::default();
-        let may_be_vertex = VERTEX_WORDS.iter().any(|w| text.contains(w));
-        while may_be_vertex || !self.version {
+        loop {
             let token = lexer.next_token();
             match token.kind {
                 RawKind::End => break,

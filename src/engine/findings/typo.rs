@@ -47,6 +47,11 @@ impl<'t> Vocabulary<'t> {
         self.counts.get(word).copied().unwrap_or(0)
     }
 
+    /// Whether a word follows a type.
+    pub fn declares(&self, word: &str) -> bool {
+        self.declared.contains(word)
+    }
+
     /// The declared name that is closest to a word, if the word looks like a typo of it. `None` after
     /// as many comparisons as a text with thousands of names needs.
     pub fn nearest(&self, word: &str) -> Option<&'t str> {

@@ -15,6 +15,7 @@ use shaderlint_host::matches_any;
 use shaderlint_semantic::{BuiltinId, Completeness};
 use shaderlint_text::{Edit, Span};
 use std::cell::LazyCell;
+use std::collections::BTreeSet;
 
 /// Maximum number of names that an info lists.
 const MAX_LISTED: usize = 12;
@@ -36,32 +37,46 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         return;
     }
     let mut unknown = checked.open.unknown.clone();
-    // Interpolated names are unknown.
+    let optional = Optional::of(checked);
+    // Interpolated names are unknown, and a group that the host activates may declare a name.
     unknown.retain(|d| {
         let word = sources.text(d.span);
-        is_word(word) && !matches_any(&part.readings.declared_at_times, word)
+        let is_given = matches_any(&part.readings.declared_at_times, word);
+        is_word(word) && !is_given && !optional.declares(word)
     });
     for d in &mut unknown {
         suggest(d, sources.text(d.span), &vocabulary);
     }
-    let openness = Openness::of(part, &unknown, |d| {
+    let named = |d: &Diagnostic| sources.text(d.span).to_string();
+    let is_one = unknown.iter().map(named).collect::<BTreeSet<_>>().len() == 1;
+    let openness = Openness::of(part, &unknown, is_one, |d| {
         let word = sources.text(d.span);
         is_near(d, word) && vocabulary.count(word) == 1
     });
     let (mut mistakes, others): (Vec<Diagnostic>, Vec<Diagnostic>) =
         unknown.into_iter().partition(|d| {
             let word = sources.text(d.span);
-            let may_be = openness != Openness::Open || is_near(d, word);
-            may_be && !hosts.is_used_outside(word, vocabulary.count(word))
+            let count = vocabulary.count(word);
+            match openness {
+                Openness::Open => is_near(d, word) && !hosts.is_used_outside(word, count),
+                Openness::Closed | Openness::Complete => {
+                    !hosts.may_be_declared_outside(word, count)
+                }
+            }
         });
-    let named = |d: &Diagnostic| sources.text(d.span).to_string();
     unresolved.first = unresolved.first.or(others.first().map(|d| d.span));
     unresolved.names.extend(others.iter().map(named));
     part.readings
         .confirm(sources, checked.completeness, &mut mistakes);
-    if openness != Openness::Complete {
-        let severities = mistakes.iter_mut().map(|d| &mut d.severity);
-        severities.for_each(|s| *s = Severity::Warning);
+    for d in &mut mistakes {
+        let word = sources.text(d.span);
+        let count = vocabulary.count(word);
+        // What only other shaders declare may still be meant by them.
+        let is_sure = openness == Openness::Complete
+            && (hosts.is_in_script(word, count) || !hosts.is_used_outside(word, count));
+        if !is_sure {
+            d.severity = Severity::Warning;
+        }
     }
     checked.diagnostics.append(&mut mistakes);
     sort(&mut checked.diagnostics);
@@ -69,6 +84,28 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
 
 fn sort(diagnostics: &mut [Diagnostic]) {
     diagnostics.sort_by_key(|d| (d.span.start, d.span.end));
+}
+
+/// The groups of a text that its host may activate.
+struct Optional<'p>(Vec<Vocabulary<'p>>);
+
+impl<'p> Optional<'p> {
+    fn of(checked: &'p Checked) -> Optional<'p> {
+        let program = &checked.program;
+        let tokens = &program.tokens;
+        let is_own =
+            |span: &&Span| program.sources.is_user(span.start) && tokens.is_undecided(**span);
+        let groups = tokens.inactive.iter().filter(is_own);
+        Optional(
+            groups
+                .map(|g| Vocabulary::of(program.sources.text(*g)))
+                .collect(),
+        )
+    }
+
+    fn declares(&self, word: &str) -> bool {
+        self.0.iter().any(|group| group.declares(word))
+    }
 }
 
 /// What a host may add to a text.
@@ -86,6 +123,7 @@ impl Openness {
     fn of(
         part: &ShaderInput,
         unknown: &[Diagnostic],
+        is_one: bool,
         is_typo: impl Fn(&Diagnostic) -> bool,
     ) -> Openness {
         let readings = &part.readings;
@@ -99,7 +137,7 @@ impl Openness {
         // A text in which all undeclared names are typos needs no host.
         if is_known || unknown.iter().all(is_typo) {
             Openness::Complete
-        } else if unknown.len() == 1 {
+        } else if is_one {
             Openness::Closed
         } else {
             Openness::Open

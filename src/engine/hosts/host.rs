@@ -3,9 +3,9 @@
 
 use crate::check_context::CheckContext;
 use crate::shader::reading::Readings;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_host::{Preset, presets};
-use shaderlint_project::{counts, hash, imported_hosts, installed_hosts};
+use shaderlint_project::{NamesForOthers, counts, hash, imported_hosts, installed_hosts};
 use shaderlint_text::path::plain;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
@@ -21,6 +21,9 @@ pub struct Hosts<'a> {
     script: Option<Arc<str>>,
     /// How often each word appears in the script, by hash; computed on first use.
     counts: OnceCell<FxHashMap<u64, usize>>,
+    /// The names that the script may declare for its shaders, by hash, and whether it puts declarations
+    /// together; computed on first use.
+    given: OnceCell<(FxHashSet<u64>, bool)>,
     context: CheckContext<'a>,
     /// The hosts that the script imports; computed on first use.
     imported: OnceCell<Vec<&'static Preset>>,
@@ -35,6 +38,7 @@ impl<'a> Hosts<'a> {
             name,
             script,
             counts: OnceCell::new(),
+            given: OnceCell::new(),
             context,
             imported: OnceCell::new(),
             installed: OnceCell::new(),
@@ -83,8 +87,7 @@ impl<'a> Hosts<'a> {
     /// Whether a word is used outside of a text that uses it `count` times: in the surrounding
     /// script, or in another file of the repository.
     pub fn is_used_outside(&self, word: &str, count: usize) -> bool {
-        let counts = self.counts.get_or_init(|| counts(self.script()));
-        if counts.get(&hash(word)).is_some_and(|all| *all > count) {
+        if self.is_in_script(word, count) {
             return true;
         }
         let files = self.context.files;
@@ -96,6 +99,31 @@ impl<'a> Hosts<'a> {
             .is_elsewhere(word, &file, files);
         // Files that were not read may declare it.
         is_elsewhere || !is_all
+    }
+
+    /// Whether something outside of a complete text that uses a word `count` times may declare it: the
+    /// surrounding script, or another file of the repository. Other complete shaders declare names for
+    /// themselves.
+    pub fn may_be_declared_outside(&self, word: &str, count: usize) -> bool {
+        let (declared, writes) = self.given.get_or_init(|| {
+            let script = self.script();
+            let found = NamesForOthers::of(self.name, script);
+            let declared = found.declared.iter().map(|name| hash(name));
+            (declared.collect(), found.writes_declarations)
+        });
+        if declared.contains(&hash(word)) || *writes && self.is_in_script(word, count) {
+            return true;
+        }
+        let files = self.context.files;
+        let file = plain(&files.here().join(self.name));
+        let cache = &self.context.options.file_cache;
+        cache.may_be_declared(word, &file, files)
+    }
+
+    /// Whether the script around a text that uses a word `count` times contains it too.
+    pub fn is_in_script(&self, word: &str, count: usize) -> bool {
+        let counts = self.counts.get_or_init(|| counts(self.script()));
+        counts.get(&hash(word)).is_some_and(|all| *all > count)
     }
 
     /// Whether no host is known that may write `#version` before a text, and no program in the

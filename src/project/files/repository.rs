@@ -1,5 +1,6 @@
 //! The words of a repository: whether another of its files contains a name.
 
+use super::for_others::NamesForOthers;
 use crate::files::{FileType, Files};
 use rustc_hash::{FxHashMap, FxHasher};
 use shaderlint_detect::kind::file_extension;
@@ -40,11 +41,38 @@ struct Programs {
     hold_version: bool,
 }
 
+/// The files of some words: by hash of a word the number of its file, or [`SEVERAL`].
+#[derive(Default)]
+struct WordFiles(HashMap<u64, u32, BuildHasherDefault<HashedBefore>>);
+
+impl WordFiles {
+    fn add(&mut self, word: &str, number: u32) {
+        let file = self.0.entry(hash(word)).or_insert(number);
+        if *file != number {
+            *file = SEVERAL;
+        }
+    }
+
+    /// Whether a word belongs to a file other than this one.
+    fn is_elsewhere(&self, word: &str, own: Option<u32>) -> bool {
+        match self.0.get(&hash(word)) {
+            None => false,
+            Some(&SEVERAL) => true,
+            Some(&number) => own != Some(number),
+        }
+    }
+}
+
 /// The words in the code of a repository.
 #[derive(Default)]
 pub struct RepositoryWords {
-    /// By hash of a word: the file that contains it, or [`SEVERAL`].
-    words: HashMap<u64, u32, BuildHasherDefault<HashedBefore>>,
+    words: WordFiles,
+    /// Names that a file declares for shaders in other texts.
+    declared: WordFiles,
+    /// Words of complete shaders that these do not declare.
+    lacked: WordFiles,
+    /// Whether a program puts declarations together from parts.
+    writes_declarations: bool,
     files: FxHashMap<PathBuf, u32>,
     /// Whether all code was read.
     pub is_all: bool,
@@ -97,36 +125,43 @@ impl RepositoryWords {
         let Ok(text) = files.load(&path) else {
             return 0;
         };
-        let is_shader = GLSL.contains(&file_extension(&path.to_string_lossy()).as_str());
-        if !is_shader {
+        let name = path.to_string_lossy();
+        if !is_glsl(&file_extension(&name)) {
             programs.any = true;
             programs.hand_over |= text.contains(".shaderSource(");
             programs.hold_version |= text.contains("#version 300");
         }
         let number = self.files.len() as u32;
-        for word in words(&text) {
-            let file = self.words.entry(hash(word)).or_insert(number);
-            if *file != number {
-                *file = SEVERAL;
-            }
-        }
+        words(&text).for_each(|word| self.words.add(word, number));
+        let found = NamesForOthers::of(&name, &text);
+        let declared = found.declared.into_iter();
+        declared.for_each(|word| self.declared.add(word, number));
+        let lacked = found.lacked.into_iter();
+        lacked.for_each(|word| self.lacked.add(word, number));
+        self.writes_declarations |= found.writes_declarations;
         self.files.insert(path, number);
         text.len()
     }
 
     /// Whether a word appears in a file other than this one.
     pub fn is_elsewhere(&self, word: &str, file: &Path) -> bool {
-        match self.words.get(&hash(word)) {
-            None => false,
-            Some(&SEVERAL) => true,
-            Some(number) => self.files.get(file) != Some(number),
-        }
+        self.words.is_elsewhere(word, self.files.get(file).copied())
+    }
+
+    /// Whether another file may declare a name for a complete shader of this file: it declares the name
+    /// outside of complete shaders, a program writes declarations and contains the name, or another
+    /// complete shader lacks it too, so that somebody declares it for both.
+    pub fn may_be_declared(&self, name: &str, file: &Path) -> bool {
+        let own = self.files.get(file).copied();
+        let sources = [&self.declared, &self.lacked];
+        sources.iter().any(|all| all.is_elsewhere(name, own))
+            || self.writes_declarations && self.words.is_elsewhere(name, own)
     }
 }
 
 impl std::fmt::Debug for RepositoryWords {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} words", self.words.len())
+        write!(f, "{} words", self.words.0.len())
     }
 }
 
@@ -143,6 +178,11 @@ pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
         None if folder.starts_with(&here) => here,
         None => folder.to_path_buf(),
     }
+}
+
+/// Whether files with this extension are GLSL.
+pub(super) fn is_glsl(extension: &str) -> bool {
+    GLSL.contains(&extension)
 }
 
 /// Whether a folder contains dependencies, or build output next to its source.
@@ -164,7 +204,7 @@ const IN_WORD: u128 = {
 };
 
 /// The identifiers of a text and similar words. Letters outside of ASCII separate words.
-fn words(text: &str) -> impl Iterator<Item = &str> {
+pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
     let in_word = |&byte: &u8| byte < 128 && IN_WORD >> byte & 1 == 1;
     let mut at = 0;
     let next = move || {
@@ -175,7 +215,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
         at = start + length.unwrap_or(word.len());
         text.get(start..at)
     };
-    std::iter::from_fn(next).filter(|word| word.len() > 1)
+    std::iter::from_fn(next)
 }
 
 /// A hasher for keys that are hashes already.

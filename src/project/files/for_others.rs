@@ -1,0 +1,214 @@
+//! The names that the texts of a file may declare for shaders elsewhere.
+//!
+//! A complete shader declares names for itself. Everything else may be put before it: files without an
+//! entry function, strings of programs, macros that a script defines.
+
+use super::repository::{is_glsl, words};
+use shaderlint_detect::embed::{DocumentLanguage, extract_named};
+use shaderlint_detect::kind::{file_extension, has_main};
+use shaderlint_syntax::{Version, WordClass, classify};
+use std::ops::Range;
+
+/// Maximum length in bytes of what a script defines or replaces at one place.
+const MAX_PLACE: usize = 2_000;
+
+/// What a file may declare for shaders in other texts.
+#[derive(Default)]
+pub struct NamesForOthers<'t> {
+    /// Names that are declared outside of complete shaders.
+    pub declared: Vec<&'t str>,
+    /// Words of complete shaders that they do not declare.
+    pub lacked: Vec<&'t str>,
+    /// Whether a program puts declarations together from parts.
+    pub writes_declarations: bool,
+}
+
+impl<'t> NamesForOthers<'t> {
+    /// Analyses the text of a file with this name.
+    pub fn of(name: &str, text: &'t str) -> NamesForOthers<'t> {
+        let is_shader = is_glsl(&file_extension(name));
+        let complete = complete_shaders(name, text);
+        let mut found = NamesForOthers::default();
+        let mut from = 0;
+        for shader in &complete {
+            found.add_rest(text.get(from..shader.start).unwrap_or(""), is_shader);
+            let own = text.get(shader.clone()).unwrap_or("");
+            let mut declared = Vec::new();
+            declarations(own, Depth::Any, &mut declared);
+            declared.sort_unstable();
+            let lacks = |word: &&str| declared.binary_search(word).is_err();
+            found.lacked.extend(names(own).filter(lacks));
+            from = shader.end;
+        }
+        found.add_rest(text.get(from..).unwrap_or(""), is_shader);
+        found
+    }
+
+    fn add_rest(&mut self, rest: &'t str, is_shader: bool) {
+        declarations(rest, Depth::Global, &mut self.declared);
+        if !is_shader {
+            given(rest, &mut self.declared);
+            self.writes_declarations |= writes_declarations(rest);
+        }
+    }
+}
+
+/// The ranges of complete shaders in a file, in order.
+fn complete_shaders(name: &str, text: &str) -> Vec<Range<usize>> {
+    if !has_main(text) {
+        return Vec::new();
+    }
+    let extension = file_extension(name);
+    match DocumentLanguage::of_extension(&extension) {
+        _ if is_glsl(&extension) => std::iter::once(0..text.len()).collect(),
+        Some(language) => {
+            let all = extract_named(name, language, text).into_iter();
+            let mut all: Vec<Range<usize>> = all
+                .filter(|shader| has_main(&shader.code))
+                .map(|shader| shader.start..shader.end())
+                .collect();
+            all.sort_by_key(|range| range.start);
+            all
+        }
+        None => Vec::new(),
+    }
+}
+
+/// The words of a text except for numbers.
+fn names(text: &str) -> impl Iterator<Item = &str> {
+    words(text).filter(|word| !word.starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Which declarations count.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Depth {
+    /// Outside of all brackets, which a string starts anew.
+    Global,
+    Any,
+}
+
+/// The names that a text declares.
+fn declarations<'t>(text: &'t str, depth: Depth, found: &mut Vec<&'t str>) {
+    let is_type = |word: &str| {
+        let class = |version| classify(word, version);
+        matches!(class(Version::Es300), WordClass::Type(_))
+            || matches!(class(Version::Es100), WordClass::Type(_))
+    };
+    let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
+    // Whether a list of declarators is open.
+    let mut in_list = false;
+    let (mut before, mut qualified) = ("", false);
+    let (mut end, mut open) = (0, 0_u32);
+    for word in names(text) {
+        let start = place(word);
+        let between = text.get(end..start).unwrap_or("").trim();
+        for byte in between.bytes() {
+            match byte {
+                b'(' | b'{' => open += 1,
+                b')' | b'}' => open = open.saturating_sub(1),
+                b'"' | b'\'' | b'`' => open = 0,
+                _ => {}
+            }
+        }
+        let is_plain = !is_type(word);
+        let is_adjacent = between.is_empty();
+        let is_macro = before == "define" && is_adjacent;
+        let follows_type = is_adjacent && (is_type(before) || before == "struct");
+        let continues = in_list && between.ends_with(',') && is_declarator_end(between);
+        let is_declared = is_plain && (is_macro || follows_type || qualified && is_adjacent);
+        in_list = is_declared || continues && is_plain;
+        if in_list && (depth == Depth::Any || open == 0) {
+            found.push(word);
+        }
+        // The type of a qualified declaration may be a name of the text.
+        qualified = is_adjacent && matches!(before, "uniform" | "varying" | "attribute");
+        (before, end) = (word, start + word.len());
+    }
+}
+
+/// Whether the text between two declarators is the size of an array at most.
+fn is_declarator_end(between: &str) -> bool {
+    let rest = between.trim_end_matches(',').trim();
+    rest.is_empty() || rest.starts_with('[') && rest.ends_with(']')
+}
+
+/// The names for which a script gives a text: macros that it defines, words that it replaces.
+fn given<'t>(text: &'t str, found: &mut Vec<&'t str>) {
+    for word in ["defines", "define(", "replace(", "replaceAll("] {
+        for (at, _) in text.match_indices(word) {
+            let after = text.get(at + word.len()..).unwrap_or("");
+            found.extend(names(cut(after)));
+        }
+    }
+}
+
+/// The start of a text, up to the bracket that closes the first one, or to the end of the statement.
+fn cut(text: &str) -> &str {
+    let mut depth = 0_i32;
+    for (at, byte) in text.bytes().enumerate() {
+        match byte {
+            b'(' | b'{' | b'[' => depth += 1,
+            b')' | b'}' | b']' => depth -= 1,
+            _ => {}
+        }
+        let is_end = depth < 0 || depth == 0 && matches!(byte, b';' | b'\n' | b'}');
+        if is_end || at >= MAX_PLACE {
+            return text.get(..at).unwrap_or("");
+        }
+    }
+    text
+}
+
+/// Whether a program puts declarations together: a qualifier is followed by the end of a string or by a
+/// placeholder, and a semicolon is inside of a string on this line. A message has none.
+fn writes_declarations(text: &str) -> bool {
+    ["uniform ", "varying ", "attribute "].iter().any(|word| {
+        text.match_indices(word).any(|(at, _)| {
+            let after = text.get(at + word.len()..).unwrap_or("");
+            let line = after.lines().next().unwrap_or("");
+            let ends = [";'", ";\"", ";`", ";\\n", "};", "%s;"];
+            line.starts_with(['$', '"', '\'', '`', '%', '{'])
+                && ends.iter().any(|end| line.contains(end))
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(name: &str, text: &str, declared: &[&str], lacked: &[&str]) {
+        let found = NamesForOthers::of(name, text);
+        assert_eq!(found.declared, declared, "{text}");
+        let unknown = found.lacked.iter().filter(|w| w.starts_with('u'));
+        assert_eq!(unknown.copied().collect::<Vec<_>>(), lacked, "{text}");
+    }
+
+    #[test]
+    fn complete_shaders_declare_names_for_themselves_only() {
+        let main = "void main() { gl_FragColor = vec4(u1, u2, u3, 1.0); }";
+        check(
+            "a.glsl",
+            &format!("uniform float u1, u2; {main}"),
+            &[],
+            &["uniform", "u3"],
+        );
+        let part = "uniform float u1, u2[3], u3;\n#define N 3\nstruct S { vec3 at; };";
+        check("a.glsl", part, &["u1", "u2", "u3", "N", "S"], &[]);
+        check("a.glsl", "float f(vec2 u1) { vec3 u2; }", &["f"], &[]);
+        check("a.glsl", "uniform Light light;", &["light"], &[]);
+        let script = format!("const a = `{main}`; m({{ defines: {{ N: 3 }} }}); uniforms.u1 = 2;");
+        check("a.js", &script, &["N"], &["u1", "u2", "u3"]);
+        check("a.js", "s = 'uniform vec3 u1;' + s", &["u1"], &[]);
+    }
+
+    #[test]
+    fn declarations_that_a_program_puts_together_are_noticed() {
+        let writes = |text: &str| NamesForOthers::of("a.js", text).writes_declarations;
+        assert!(writes("s = `uniform ${type} ${name};`"));
+        assert!(writes("s = 'uniform ' + type + ' ' + name + ';\\n';"));
+        assert!(!writes("console.error(`uniform ${name} is not set`);"));
+        assert!(!writes("s = 'uniform float a;'"));
+    }
+}
