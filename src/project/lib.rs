@@ -34,7 +34,7 @@ pub use draw::{PassDraw, SizeTerm};
 pub use files::family::{Family, common_of, family, is_common};
 pub use files::file_cache::FileCache;
 pub use files::for_others::NamesForOthers;
-pub use files::repository::{counts, hash};
+pub use files::words::{counts, hash};
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use include::gathered::{GatheredText, gather};
 pub use include::{Absence, FileMoves, Hushed, MissingInclude, Spread, moved_includes, spread};

@@ -151,7 +151,11 @@ const bad = new THREE.ShaderMaterial({
     check(&[("m.js", script)], &["m.js"], &["m.js:14:18 link-varying"]);
     // An undeclared name does not prevent linking.
     let unknown = script.replacen("vec4(vUv, 0.0, 1.0)", "vec4(vUv, other, 1.0)", 2);
-    let all = ["m.js:14:18 link-varying", "m.js:8:44 undeclared-name"];
+    let all = [
+        "m.js:8:44 undeclared-name",
+        "m.js:14:18 link-varying",
+        "m.js:15:44 undeclared-name",
+    ];
     check(&[("m.js", &unknown)], &["m.js"], &all);
     let (one, _) = script.split_once("const bad").unwrap();
     let keys = "uniforms: { uTime: { value: 0 }, uColour: { value: c } },\n  vertexShader";

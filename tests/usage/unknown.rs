@@ -56,12 +56,45 @@ fn names_without_a_similar_name_are_listed_once() {
 #[test]
 fn names_declared_elsewhere_in_the_repository_are_not_typos() {
     let listed = "2:35: info[undeclared-name]: `opcaity` is not declared in this file";
-    let beside = ("b.js", "material.uniforms.opcaity = 1;");
+    let beside = ("b.js", "source = 'uniform float opcaity;' + source;");
     let top = ("package.json", "{}");
     check(&[("a.frag", OWN), beside, top], &[listed]);
+    let script = format!("const head = 'uniform float opcaity;'; const shader = `{OWN}`;");
+    check(&[("a.js", &script)], &[listed]);
+    let macros = format!("const material = {{ defines: {{ opcaity: 1 }}, shader: `{OWN}` }};");
+    check(&[("a.js", &macros)], &[listed]);
+}
+
+#[test]
+fn setting_a_name_or_declaring_it_in_another_shader_does_not_declare_it() {
+    let top = ("package.json", "{}");
+    let warned = "2:35: warning[undeclared-name]: `opcaity` is not declared";
+    let sets = ("b.js", "material.uniforms.opcaity = 1;");
+    check(&[("a.frag", OWN), sets, top], &[warned]);
+    let declares = "uniform float opcaity; void main() { gl_FragColor = vec4(opcaity); }";
+    check(&[("a.frag", OWN), ("b.frag", declares), top], &[warned]);
+    // Two shaders that lack the same name have a host that declares it.
+    let listed = "2:35: info[undeclared-name]: `opcaity` is not declared in this file";
+    let lacks = "void main() { gl_FragColor = vec4(opcaity); }";
+    check(&[("a.frag", OWN), ("b.frag", lacks), top], &[listed]);
     let script = format!("const uniforms = {{ opcaity: 1 }}; const shader = `{OWN}`;");
-    let reported = format!("2:35: {}", listed.split_once(": ").unwrap().1);
-    check(&[("a.js", &script)], &[&reported]);
+    let reported = "2:35: error[undeclared-name]: `opcaity` is not declared";
+    check(&[("a.js", &script)], &[reported]);
+}
+
+#[test]
+fn the_output_that_a_host_declares_has_a_type() {
+    let code = "varying vec2 vUv; uniform float t;\nvoid main() { gl_FragColor = vec3(vUv, t); }";
+    let reported =
+        "2:15: error[vector-size]: cannot assign `vec3` to `vec4`";
+    check(&[("a.glsl", code)], &[reported]);
+    let script = format!(
+        "import {{ ShaderMaterial }} from 'three';\nexport const m = {{ fragmentShader: `{}` }};",
+        code.replace('\n', " "),
+    );
+    let reported =
+        "2:86: error[vector-size]: cannot assign `vec3` to `vec4`";
+    check(&[("a.js", &script)], &[reported]);
 }
 
 #[test]

@@ -67,6 +67,19 @@ fn in_main(body: &str) -> String {
 }
 
 #[test]
+fn unsuitable_selections_are_not_refactored() {
+    let cases = include_str!("none.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (text, words) = case.split_once(" ‖ ").unwrap();
+        let text = text.replace('↵', "\n");
+        match text.strip_prefix("main: ") {
+            Some(body) => check_none(&in_main(body), words),
+            None => check_none(&text, words),
+        }
+    }
+}
+
+#[test]
 fn selections_are_refactored() {
     let cases = include_str!("cases.txt").lines();
     for case in cases.filter(|case| !case.starts_with("# ")) {
@@ -78,205 +91,6 @@ fn selections_are_refactored() {
             None => check(&before, title, &after),
         }
     }
-}
-
-#[test]
-fn expressions_whose_value_would_change_are_not_extracted() {
-    let none = |body: &str| check_none(&in_main(body), "to variable");
-    // Changes in the loop.
-    none(
-        "float t = 0.0; for (int i = 0; i < int(«t * 2.0» + 4.0); i++) t += 1.0; color = vec4(t);",
-    );
-    // Short circuit, and derivatives in a branch.
-    none("int n = 0; bool b = p.x > 1.0 && «n++» > 0; color = vec4(b) * float(n);");
-    none("color = p.x > 1.0 ? «texture(image, p)» : vec4(0);");
-    // Written before the expression is evaluated.
-    none("float t = 1.0; color = vec4((t += 1.0) + «t * 2.0»);");
-    // A part of the operands, and the target of an assignment.
-    none("color = vec4(p.x + «p.y + time»);");
-    none("vec3 v = vec3(1.0); «v.x» = 2.0; color = v.xyzz;");
-    // In the body of a macro, and a part of a call.
-    check_none(
-        &format!(
-            "#define TWICE(x) («x * 2.0»)\n{}",
-            in_main("color = vec4(TWICE(p.x));")
-        ),
-        "Extract",
-    );
-}
-
-#[test]
-fn extracted_constants_are_global() {
-    check(
-        &format!("// The entry.\n{}", in_main("color = vec4(«2.0 * 3.0»);")),
-        "Extract to constant",
-        &format!(
-            "const float VALUE = 2.0 * 3.0;\n// The entry.\n{}",
-            in_main("color = vec4(¦VALUE);")
-        ),
-    );
-    check(
-        &in_main("color = vec4(«0.25»);"),
-        "Extract to constant with slider",
-        &format!(
-            "const float VALUE = 0.25; // (0~0.5)\n{}",
-            in_main("color = vec4(¦VALUE);")
-        ),
-    );
-    check_none(&in_main("color = vec4(«time * 2.0»);"), "constant");
-}
-
-#[test]
-fn code_is_extracted_to_functions() {
-    check(
-        &in_main("color = vec4(«sin(p.x * time)»);"),
-        "Extract to function",
-        &format!(
-            "float extracted(vec2 p) {{\n    return sin(p.x * time);\n}}\n\n{}",
-            in_main("color = vec4(¦extracted(p));")
-        ),
-    );
-    check(
-        &in_main(
-            "float t = 0.0;\n    «for (int i = 0; i < 4; i++) {\n        if (p.x > 2.0) break;\n        t += p.y;\n    }\n    p *= 2.0;»\n    color = vec4(t, p, 1);",
-        ),
-        "Extract to function",
-        &format!(
-            "void extracted(inout vec2 p, inout float t) {{\n    for (int i = 0; i < 4; i++) {{\n        if (p.x > 2.0) break;\n        t += p.y;\n    }}\n    p *= 2.0;\n}}\n\n{}",
-            in_main("float t = 0.0;\n    ¦extracted(p, t);\n    color = vec4(t, p, 1);")
-        ),
-    );
-    check(
-        &in_main("«float a = p.x;\n    a *= time;»\n    color = vec4(a);"),
-        "Extract to function",
-        &format!(
-            "float extracted(vec2 p) {{\n    float a = p.x;\n    a *= time;\n    return a;\n}}\n\n{}",
-            in_main("float a = ¦extracted(p);\n    color = vec4(a);")
-        ),
-    );
-    // A value that the next iteration reads.
-    check(
-        &in_main("float t = 0.0; for (int i = 0; i < 4; i++) { color = vec4(t); «t += p.x;» }"),
-        "Extract to function",
-        &format!(
-            "void extracted(inout float t, vec2 p) {{\n    t += p.x;\n}}\n\n{}",
-            in_main(
-                "float t = 0.0; for (int i = 0; i < 4; i++) { color = vec4(t); ¦extracted(t, p); }"
-            )
-        ),
-    );
-    // Several results.
-    check(
-        &in_main("«float a = p.x;\n    float b = a * time;»\n    color = vec4(a, b, 1, 1);"),
-        "Extract to function",
-        &format!(
-            "void extracted(vec2 p, out float a, out float b) {{\n    a = p.x;\n    b = a * time;\n}}\n\n{}",
-            in_main(
-                "float a;\n    float b;\n    ¦extracted(p, a, b);\n    color = vec4(a, b, 1, 1);"
-            )
-        ),
-    );
-    // Jumps out of the code, and results of one declaration.
-    let none = |body: &str| check_none(&in_main(body), "to function");
-    none("for (int i = 0; i < 4; i++) { «if (p.x > 1.0) break;» color = vec4(i); }");
-    none("«if (p.x > 1.0) return;»\n    color = vec4(1);");
-    none("«float a = p.x, b = p.y;» color = vec4(a, b, 1, 1);");
-    none("color = vec4(«p.x += 1.0»);");
-}
-
-#[test]
-fn variables_functions_and_macros_are_inlined() {
-    check(
-        &in_main("float |a = p.x + 1.0;\n    color = vec4(a, a * 2.0, 1, 1);"),
-        "Inline variable `a`",
-        &in_main("color = vec4(p.x + 1.0, (p.x + 1.0) * 2.0, 1, 1);"),
-    );
-    check(
-        &format!(
-            "float twice(float x) {{ return x + x; }}\n{}",
-            in_main("color = vec4(|twice(p.x * 2.0) * 3.0);")
-        ),
-        "Inline call of `twice`",
-        &format!(
-            "float twice(float x) {{ return x + x; }}\n{}",
-            in_main("color = vec4((p.x * 2.0 + p.x * 2.0) * 3.0);")
-        ),
-    );
-    check(
-        &format!(
-            "float |twice(float x) {{ return x + x; }}\n{}",
-            in_main("color = vec4(twice(p.x), twice(p.y), 1, 1);")
-        ),
-        "Inline function `twice`",
-        &in_main("color = vec4(p.x + p.x, p.y + p.y, 1, 1);"),
-    );
-    // Parentheses where the order of operations needs them.
-    check(
-        &in_main("float |a = p.x - 1.0;\n    color = vec4(2.0 - a, a - 2.0, -a, a * 2.0);"),
-        "Inline variable `a`",
-        &in_main(
-            "color = vec4(2.0 - (p.x - 1.0), p.x - 1.0 - 2.0, -(p.x - 1.0), (p.x - 1.0) * 2.0);",
-        ),
-    );
-    let none = |body: &str| check_none(&in_main(body), "Inline");
-    // Its operand changes, it is written, or it is evaluated elsewhere.
-    none("float |a = p.x + 1.0; p.x = 2.0; color = vec4(a);");
-    none("float |a = p.x; a += 1.0; color = vec4(a);");
-    none("vec4 |a = texture(image, p); if (p.x > 1.0) color = a;");
-    // A name of the function is another one at the call.
-    check_none(
-        &format!(
-            "float k = 2.0; float f(float x) {{ return x * k; }}\n{}",
-            in_main("float k = 3.0; color = vec4(|f(p.x) + k);")
-        ),
-        "Inline",
-    );
-    // An argument with a side effect.
-    check_none(
-        &format!(
-            "float f(float x) {{ return x * x; }}\n{}",
-            in_main("color = vec4(|f(p.x++), p, 1);")
-        ),
-        "Inline",
-    );
-}
-
-#[test]
-fn macros_and_constants_convert_into_each_other() {
-    check(
-        &format!(
-            "#define |SPEED 0.5 // (0~1)\n{}",
-            in_main("color = vec4(SPEED);")
-        ),
-        "Convert macro `SPEED` to a constant",
-        &format!(
-            "const float SPEED = 0.5; // (0~1)\n{}",
-            in_main("color = vec4(SPEED);")
-        ),
-    );
-    check(
-        &format!(
-            "const float |SPEED = 0.5 + 1.0;\n{}",
-            in_main("color = vec4(SPEED * 2.0);")
-        ),
-        "Convert constant `SPEED` to a macro",
-        &format!(
-            "#define SPEED (0.5 + 1.0)\n{}",
-            in_main("color = vec4(SPEED * 2.0);")
-        ),
-    );
-    // A part of an expression, and a test of the preprocessor.
-    check_none(
-        &format!("#define |SUM 0.5 +\n{}", in_main("color = vec4(SUM 1.0);")),
-        "Convert",
-    );
-    check_none(
-        &format!(
-            "#define |HIGH 1\n#if HIGH\n#define SIZE 2.0\n#endif\n{}",
-            in_main("color = vec4(SIZE * float(HIGH));")
-        ),
-        "Convert",
-    );
 }
 
 #[test]

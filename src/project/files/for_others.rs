@@ -3,7 +3,7 @@
 //! A complete shader declares names for itself. Everything else may be put before it: files without an
 //! entry function, strings of programs, macros that a script defines.
 
-use super::repository::{is_glsl, words};
+use super::words::{is_glsl, words};
 use shaderlint_detect::embed::{DocumentLanguage, extract_named};
 use shaderlint_detect::kind::{file_extension, has_main};
 use shaderlint_syntax::{Version, WordClass, classify};
@@ -34,7 +34,7 @@ impl<'t> NamesForOthers<'t> {
             found.add_rest(text.get(from..shader.start).unwrap_or(""), is_shader);
             let own = text.get(shader.clone()).unwrap_or("");
             let mut declared = Vec::new();
-            declarations(own, Depth::Any, &mut declared);
+            declarations(own, DeclarationPlace::Anywhere, &mut declared);
             declared.sort_unstable();
             let lacks = |word: &&str| declared.binary_search(word).is_err();
             found.lacked.extend(names(own).filter(lacks));
@@ -45,7 +45,7 @@ impl<'t> NamesForOthers<'t> {
     }
 
     fn add_rest(&mut self, rest: &'t str, is_shader: bool) {
-        declarations(rest, Depth::Global, &mut self.declared);
+        declarations(rest, DeclarationPlace::Global, &mut self.declared);
         if !is_shader {
             given(rest, &mut self.declared);
             self.writes_declarations |= writes_declarations(rest);
@@ -81,14 +81,14 @@ fn names(text: &str) -> impl Iterator<Item = &str> {
 
 /// Which declarations count.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Depth {
+enum DeclarationPlace {
     /// Outside of all brackets, which a string starts anew.
     Global,
-    Any,
+    Anywhere,
 }
 
 /// The names that a text declares.
-fn declarations<'t>(text: &'t str, depth: Depth, found: &mut Vec<&'t str>) {
+fn declarations<'t>(text: &'t str, from: DeclarationPlace, found: &mut Vec<&'t str>) {
     let is_type = |word: &str| {
         let class = |version| classify(word, version);
         matches!(class(Version::Es300), WordClass::Type(_))
@@ -117,7 +117,7 @@ fn declarations<'t>(text: &'t str, depth: Depth, found: &mut Vec<&'t str>) {
         let continues = in_list && between.ends_with(',') && is_declarator_end(between);
         let is_declared = is_plain && (is_macro || follows_type || qualified && is_adjacent);
         in_list = is_declared || continues && is_plain;
-        if in_list && (depth == Depth::Any || open == 0) {
+        if in_list && (from == DeclarationPlace::Anywhere || open == 0) {
             found.push(word);
         }
         // The type of a qualified declaration may be a name of the text.

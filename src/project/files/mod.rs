@@ -8,6 +8,7 @@ pub mod pass_name;
 pub mod passes;
 pub mod repository;
 pub mod scan;
+pub mod words;
 
 use shaderlint_text::path::plain;
 use std::collections::BTreeMap;

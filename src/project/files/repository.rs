@@ -1,8 +1,9 @@
 //! The words of a repository: whether another of its files contains a name.
 
 use super::for_others::NamesForOthers;
+use super::words::{GLSL, hash, is_glsl, words};
 use crate::files::{FileType, Files};
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::FxHashMap;
 use shaderlint_detect::kind::file_extension;
 use shaderlint_text::path::plain;
 use std::collections::{HashMap, VecDeque};
@@ -18,10 +19,6 @@ const MAX_NAMES: usize = 100_000;
 /// Maximum number of parent folders that are searched for the root of the repository.
 const MAX_ABOVE: usize = 32;
 
-/// Extensions of GLSL files.
-const GLSL: &[&str] = &[
-    "glsl", "vert", "frag", "vs", "fs", "vsh", "fsh", "geom", "comp", "tesc", "tese",
-];
 /// Extensions of other files that may declare names for a shader: languages of programs that
 /// complete shaders.
 const CODE: &[&str] = &[
@@ -180,42 +177,11 @@ pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
     }
 }
 
-/// Whether files with this extension are GLSL.
-pub(super) fn is_glsl(extension: &str) -> bool {
-    GLSL.contains(&extension)
-}
-
 /// Whether a folder contains dependencies, or build output next to its source.
 fn is_passed_over(name: &str, has_source: bool) -> bool {
     name.starts_with('.')
         || matches!(name, "node_modules" | "target" | "__pycache__")
         || has_source && matches!(name, "dist" | "build" | "out")
-}
-
-/// The bytes that words consist of, as a bit set.
-const IN_WORD: u128 = {
-    let mut bits = 1 << b'_';
-    let mut byte = 0;
-    while byte < 128 {
-        bits |= ((byte as u8).is_ascii_alphanumeric() as u128) << byte;
-        byte += 1;
-    }
-    bits
-};
-
-/// The identifiers of a text and similar words. Letters outside of ASCII separate words.
-pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
-    let in_word = |&byte: &u8| byte < 128 && IN_WORD >> byte & 1 == 1;
-    let mut at = 0;
-    let next = move || {
-        let rest = text.as_bytes().get(at..)?;
-        let start = at + rest.iter().position(in_word)?;
-        let word = text.as_bytes().get(start..)?;
-        let length = word.iter().position(|byte| !in_word(byte));
-        at = start + length.unwrap_or(word.len());
-        text.get(start..at)
-    };
-    std::iter::from_fn(next)
 }
 
 /// A hasher for keys that are hashes already.
@@ -234,22 +200,6 @@ impl Hasher for HashedBefore {
     fn finish(&self) -> u64 {
         self.0
     }
-}
-
-/// How often each word of a text appears, by hash.
-pub fn counts(text: &str) -> FxHashMap<u64, usize> {
-    let mut found = FxHashMap::default();
-    for word in words(text) {
-        *found.entry(hash(word)).or_default() += 1;
-    }
-    found
-}
-
-/// The hash of a word.
-pub fn hash(word: &str) -> u64 {
-    let mut hasher = FxHasher::default();
-    hasher.write(word.as_bytes());
-    hasher.finish()
 }
 
 #[cfg(test)]
