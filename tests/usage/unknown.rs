@@ -85,15 +85,13 @@ fn setting_a_name_or_declaring_it_in_another_shader_does_not_declare_it() {
 #[test]
 fn the_output_that_a_host_declares_has_a_type() {
     let code = "varying vec2 vUv; uniform float t;\nvoid main() { gl_FragColor = vec3(vUv, t); }";
-    let reported =
-        "2:15: error[vector-size]: cannot assign `vec3` to `vec4`";
+    let reported = "2:15: error[vector-size]: cannot assign `vec3` to `vec4`";
     check(&[("a.glsl", code)], &[reported]);
     let script = format!(
         "import {{ ShaderMaterial }} from 'three';\nexport const m = {{ fragmentShader: `{}` }};",
         code.replace('\n', " "),
     );
-    let reported =
-        "2:86: error[vector-size]: cannot assign `vec3` to `vec4`";
+    let reported = "2:86: error[vector-size]: cannot assign `vec3` to `vec4`";
     check(&[("a.js", &script)], &[reported]);
 }
 

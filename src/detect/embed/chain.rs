@@ -51,8 +51,11 @@ impl Chain {
 /// `"..." + x + "..."`, `"...".concat(x, "...")`
 fn added(text: &str, tokens: &[ScriptToken], first: usize) -> Chain {
     let mut chain = Chain::new(first);
-    let before = first.checked_sub(1);
-    chain.goes_on = before.is_some_and(|b| is_mark(tokens, b, b'+'));
+    let before = tokens.get(..first).unwrap_or(&[]).iter().rev();
+    let mut before = before.skip_while(|t| t.kind == ScriptTokenKind::Comment);
+    chain.goes_on = before
+        .next()
+        .is_some_and(|t| t.kind == ScriptTokenKind::Mark(b'+'));
     loop {
         let sign = skip_comments(tokens, chain.last + 1);
         if is_mark(tokens, sign, b'.') {

@@ -222,6 +222,7 @@ mod tests {
         check(constant, &["precision highp float; void main() {}"]);
         assert_eq!(holes(constant), [false]);
         assert_eq!(holes("s = 'void main() {}' + x;"), [true]);
+        assert_eq!(holes("s = x + /* glsl */ 'void main() {}';"), [true]);
         assert_eq!(holes("let s = 'void main() {'; s += x;"), [true]);
         assert_eq!(holes("s.replace(a, /* glsl */ 'void main() { b;')"), [true]);
         assert_eq!(holes("s = 'float a = {{ b }}; void main() {}'"), [true]);
