@@ -159,16 +159,26 @@ fn cut(text: &str) -> &str {
     text
 }
 
+/// The rest of a line, as far as a declaration may go.
+fn line(text: &str) -> &str {
+    /// Maximum length in characters.
+    const MAX_LINE: usize = 300;
+    let mut characters = text.char_indices().take(MAX_LINE);
+    let end = characters.find(|(_, c)| *c == '\n');
+    let end = end.or_else(|| text.char_indices().nth(MAX_LINE));
+    text.get(..end.map_or(text.len(), |(at, _)| at))
+        .unwrap_or("")
+}
+
 /// Whether a program puts declarations together: a qualifier is followed by the end of a string or by a
 /// placeholder, and a semicolon is inside of a string on this line. A message has none.
 fn writes_declarations(text: &str) -> bool {
     ["uniform ", "varying ", "attribute "].iter().any(|word| {
         text.match_indices(word).any(|(at, _)| {
             let after = text.get(at + word.len()..).unwrap_or("");
-            let line = after.lines().next().unwrap_or("");
             let ends = [";'", ";\"", ";`", ";\\n", "};", "%s;"];
-            line.starts_with(['$', '"', '\'', '`', '%', '{'])
-                && ends.iter().any(|end| line.contains(end))
+            after.starts_with(['$', '"', '\'', '`', '%', '{'])
+                && ends.iter().any(|end| line(after).contains(end))
         })
     })
 }
