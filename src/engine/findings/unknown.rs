@@ -37,19 +37,21 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         return;
     }
     let mut unknown = checked.open.unknown.clone();
-    let optional = Optional::of(checked);
-    // Interpolated names are unknown, and a group that the host activates may declare a name.
-    unknown.retain(|d| {
-        let word = sources.text(d.span);
-        let is_given = matches_any(&part.readings.declared_at_times, word);
-        is_word(word) && !is_given && !optional.declares(word)
-    });
+    if !unknown.is_empty() {
+        let optional = Optional::of(checked);
+        // Interpolated names are unknown, and a group that the host activates may declare a name.
+        unknown.retain(|d| {
+            let word = sources.text(d.span);
+            let is_given = matches_any(&part.readings.declared_at_times, word);
+            is_word(word) && !is_given && !optional.declares(word)
+        });
+    }
     for d in &mut unknown {
         suggest(d, sources.text(d.span), &vocabulary);
     }
     let named = |d: &Diagnostic| sources.text(d.span).to_string();
-    let is_one = unknown.iter().map(named).collect::<BTreeSet<_>>().len() == 1;
-    let openness = Openness::of(part, &unknown, is_one, |d| {
+    let names = unknown.iter().map(named).collect::<BTreeSet<_>>().len();
+    let openness = Openness::of(part, &unknown, names, |d| {
         let word = sources.text(d.span);
         is_near(d, word) && vocabulary.count(word) == 1
     });
@@ -120,10 +122,11 @@ enum Openness {
 }
 
 impl Openness {
+    /// Of a text with undeclared names; `names` is how many different ones they are.
     fn of(
         part: &ShaderInput,
         unknown: &[Diagnostic],
-        is_one: bool,
+        names: usize,
         is_typo: impl Fn(&Diagnostic) -> bool,
     ) -> Openness {
         let readings = &part.readings;
@@ -137,7 +140,7 @@ impl Openness {
         // A text in which all undeclared names are typos needs no host.
         if is_known || unknown.iter().all(is_typo) {
             Openness::Complete
-        } else if is_one {
+        } else if names == 1 {
             Openness::Closed
         } else {
             Openness::Open

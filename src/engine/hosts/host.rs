@@ -9,6 +9,7 @@ use shaderlint_project::{NamesForOthers, counts, hash, imported_hosts, installed
 use shaderlint_text::path::plain;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Maximum number of hosts that a text is checked for.
@@ -91,7 +92,7 @@ impl<'a> Hosts<'a> {
             return true;
         }
         let files = self.context.files;
-        let file = plain(&files.here().join(self.name));
+        let file = self.file();
         let (is_elsewhere, is_all) = self
             .context
             .options
@@ -115,7 +116,7 @@ impl<'a> Hosts<'a> {
             return true;
         }
         let files = self.context.files;
-        let file = plain(&files.here().join(self.name));
+        let file = self.file();
         let cache = &self.context.options.file_cache;
         cache.may_be_declared(word, &file, files)
     }
@@ -130,10 +131,15 @@ impl<'a> Hosts<'a> {
     /// repository does.
     pub fn adds_no_version(&self) -> bool {
         let files = self.context.files;
-        let file = plain(&files.here().join(self.name));
+        let file = self.file();
         self.imported().is_empty()
             && self.installed().is_empty()
             && !self.context.options.file_cache.adds_version(&file, files)
+    }
+
+    /// The absolute path of the file.
+    fn file(&self) -> PathBuf {
+        plain(&self.context.files.here().join(self.name))
     }
 
     fn imported(&self) -> &[&'static Preset] {
