@@ -4,3 +4,4 @@
 mod document_language;
 pub mod embed;
 pub mod kind;
+mod script;

@@ -2,22 +2,22 @@
 //! templates.
 
 use super::html::{self, next_script};
-use super::{embedded::Embedded, script};
+use super::{embedded::Embedded, modules::ImportedTexts, script};
 
 /// Finds the shaders of a component.
-pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
+pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {
     let count = found.len();
     let front = front_matter(text);
-    script::extract(text.get(..front).unwrap_or(""), base, false, found);
+    script::extract(text.get(..front).unwrap_or(""), base, false, modules, found);
     let rest = text.get(front..).unwrap_or("");
-    html::elements(rest, base + front, found);
+    html::elements(rest, base + front, modules, found);
     let lower = rest.to_ascii_lowercase();
     let mut at = 0;
     loop {
         let element = next_script(&lower, at);
         let end = element.as_ref().map_or(rest.len(), |e| e.start);
         let between = rest.get(at..end).unwrap_or("");
-        script::extract(between, base + front + at, false, found);
+        script::extract(between, base + front + at, false, modules, found);
         let Some(element) = element else { break };
         at = element.end;
     }
@@ -37,6 +37,7 @@ fn front_matter(text: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use super::super::modules::NoModules;
     use super::*;
 
     #[test]
@@ -45,7 +46,7 @@ mod tests {
             <script lang=\"ts\">const b = `#version 300 es\n2`;</script>\
             <div x={/* glsl */ `3`} />";
         let mut found = Vec::new();
-        extract(text, 0, &mut found);
+        extract(text, 0, &NoModules, &mut found);
         let codes: Vec<&str> = found.iter().map(|s| s.code.as_str()).collect();
         assert_eq!(codes, ["#version 300 es\n1", "#version 300 es\n2", "3"]);
         for shader in &found {

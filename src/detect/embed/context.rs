@@ -1,9 +1,9 @@
-//! The context of a literal in a script: the variable, property or call that receives it.
+//! The context of a text in a script: the variable, property or call that receives it.
 
-use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark};
-use std::collections::HashSet;
+use super::text::Texts;
+use crate::script::tree::{NodeKind, ScriptNodeId};
 
-/// What the code before a literal says about it.
+/// What the code around a text says about it.
 pub struct LiteralContext {
     /// A tag or comment marks it as GLSL.
     pub is_introduced: bool,
@@ -16,41 +16,35 @@ pub struct LiteralContext {
     /// It is a message for a person.
     pub is_message: bool,
     /// Name of the variable or property that receives it.
-    target: Option<String>,
+    pub target: Option<String>,
 }
 
 impl LiteralContext {
-    /// Analyses the code before a literal.
-    pub fn of(text: &str, tokens: &[ScriptToken], literal: usize) -> LiteralContext {
-        let read = ContextReader { text, tokens };
-        let target = read.target(literal);
-        let call = read.call(literal);
+    /// Analyses the code around an expression whose first literal is given.
+    pub fn of(
+        text: &str,
+        texts: &Texts,
+        root: ScriptNodeId,
+        literal: ScriptNodeId,
+    ) -> LiteralContext {
+        let read = ContextReader { text, texts };
+        let target = read.target(root);
+        let call = read.call(root);
         let words = target.map_or(Vec::new(), words);
         let has = |all: &[&str]| words.iter().any(|w| all.contains(&w.as_str()));
+        let is_vertex = |name: Option<&str>| {
+            let name = name.unwrap_or("").to_ascii_lowercase();
+            name.contains("vert") || name == "vs"
+        };
         LiteralContext {
             is_introduced: read.is_introduced(literal),
             names_shader: has(&SHADERS) || call == Some("shaderSource"),
-            is_vertex: has(&["vert", "vertex", "vs", "vsh"]) || read.is_named_vertex(literal),
-            is_pattern: call.is_some_and(|c| PATTERNS.contains(&c)) || read.is_compared(literal),
+            is_vertex: has(&["vs", "vsh"]) || is_vertex(target) || is_vertex(call),
+            is_pattern: call.is_some_and(|c| PATTERNS.contains(&c)) || read.is_compared(root),
             is_message: call.is_some_and(|c| c.ends_with("Error") || MESSAGES.contains(&c)),
             target: target.map(str::to_string),
         }
     }
-
-    /// Whether one of some names receives the literal.
-    pub fn is_given_to(&self, names: &HashSet<&str>) -> bool {
-        self.target.as_deref().is_some_and(|t| names.contains(t))
-    }
-}
-
-/// Variables of a script to which text is appended: `NAME += ...`.
-pub fn grown<'a>(text: &'a str, tokens: &[ScriptToken]) -> HashSet<&'a str> {
-    let name = |at: usize| {
-        let name = tokens.get(at).filter(|t| t.kind == ScriptTokenKind::Word)?;
-        let grows = is_mark(tokens, at + 1, b'+') && is_mark(tokens, at + 2, b'=');
-        text.get(name.range.clone()).filter(|_| grows)
-    };
-    (0..tokens.len()).filter_map(name).collect()
 }
 
 /// Words in names of variables that hold shaders.
@@ -109,147 +103,113 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-struct ContextReader<'a> {
-    text: &'a str,
-    tokens: &'a [ScriptToken],
+struct ContextReader<'t, 's> {
+    text: &'t str,
+    texts: &'t Texts<'s>,
 }
 
-impl<'a> ContextReader<'a> {
-    fn word(&self, at: usize) -> &'a str {
-        let range = self.tokens.get(at).map_or(0..0, |t| t.range.clone());
-        self.text.get(range).unwrap_or("")
-    }
-
-    fn kind(&self, at: usize) -> Option<&ScriptTokenKind> {
-        self.tokens.get(at).map(|t| &t.kind)
+impl<'t> ContextReader<'t, '_> {
+    fn name(&self, id: ScriptNodeId) -> Option<&'t str> {
+        self.texts.tree.last_name(self.text, id)
     }
 
     /// Whether a tag or comment marks a literal as GLSL.
-    fn is_introduced(&self, literal: usize) -> bool {
-        let Some(before) = literal.checked_sub(1) else {
+    fn is_introduced(&self, literal: ScriptNodeId) -> bool {
+        let tree = self.texts.tree;
+        let Some(node) = tree.node(literal) else {
             return false;
         };
-        let words = self.word(before);
-        match self.kind(before) {
-            Some(ScriptTokenKind::Word) => {
-                let starts = self.tokens.get(literal).map_or(0, |t| t.range.start);
-                let touches = self
-                    .tokens
-                    .get(before)
-                    .is_some_and(|t| t.range.end + 1 == starts);
-                let tags = ["frag", "vert", "shader", "fs", "vs", "fragment", "vertex"];
-                let tag = words.to_ascii_lowercase();
-                touches && (tag.contains("glsl") || tags.contains(&tag.as_str()))
-            }
-            Some(ScriptTokenKind::Comment) => {
-                let words = words
-                    .trim_matches(['/', '*', ' ', '\t', '@'])
-                    .to_ascii_lowercase();
-                let words = words.strip_prefix("language=").unwrap_or(&words).trim();
-                words == "glsl" || words.starts_with("glsl ") && words.len() < 20
-            }
-            _ => false,
+        let parent = node
+            .parent
+            .filter(|p| tree.node(*p).is_some_and(|n| n.kind == NodeKind::Tagged));
+        if let Some(tag) = parent.and_then(|p| self.name(tree.child(p, 0)?)) {
+            let tags = ["frag", "vert", "shader", "fs", "vs", "fragment", "vertex"];
+            let tag = tag.to_ascii_lowercase();
+            return tag.contains("glsl") || tags.contains(&tag.as_str());
         }
+        let start = node.span.start.saturating_sub(1);
+        let after = tree.comments.partition_point(|c| c.end <= start);
+        let comment = after.checked_sub(1).and_then(|at| tree.comments.get(at));
+        comment.is_some_and(|comment| {
+            let between = self.text.get(comment.end..start).unwrap_or("x");
+            let words = self.text.get(comment.clone()).unwrap_or("");
+            let words = words
+                .trim_matches(['/', '*', ' ', '\t', '@'])
+                .to_ascii_lowercase();
+            let words = words.strip_prefix("language=").unwrap_or(&words).trim();
+            let is_glsl = words == "glsl" || words.starts_with("glsl ") && words.len() < 20;
+            is_glsl && between.trim().is_empty()
+        })
     }
 
-    /// The name of the variable or property that receives a literal.
-    fn target(&self, literal: usize) -> Option<&'a str> {
-        /// Maximum distance in tokens.
-        const FAR: usize = 12;
-        let mut at = literal;
-        for _ in 0..FAR {
-            at = at.checked_sub(1)?;
-            match self.kind(at)? {
-                // The alternative of a conditional expression.
-                ScriptTokenKind::Mark(b':') if self.is_case(at) => {}
-                ScriptTokenKind::Mark(b'=' | b':') => break,
-                ScriptTokenKind::Mark(b';' | b',' | b'{' | b'}' | b')') => return None,
-                _ => {}
-            }
-        }
-        let mut name = at.checked_sub(1)?;
-        if is_mark(self.tokens, name, b'+') {
-            name = name.checked_sub(1)?;
-        }
-        // `const name: string = "..."`
-        let before = name.checked_sub(1)?;
-        if is_mark(self.tokens, at, b'=') && is_mark(self.tokens, before, b':') {
-            name = before.checked_sub(1)?;
-        }
-        if is_mark(self.tokens, name, b']') {
-            name = name.checked_sub(1)?;
-        }
-        matches!(
-            self.kind(name)?,
-            ScriptTokenKind::Word | ScriptTokenKind::Quoted
-        )
-        .then(|| self.word(name))
-    }
-
-    /// Whether a `:` follows a `?` and one literal or word.
-    fn is_case(&self, colon: usize) -> bool {
-        colon
-            .checked_sub(2)
-            .is_some_and(|at| is_mark(self.tokens, at, b'?'))
-    }
-
-    /// The function that is called with the literal as an argument.
-    fn call(&self, literal: usize) -> Option<&'a str> {
-        /// Maximum distance in tokens.
-        const FAR: usize = 40;
-        let mut depth = 0_u32;
-        for at in (literal.saturating_sub(FAR)..literal).rev() {
-            match self.kind(at)? {
-                ScriptTokenKind::Mark(b')' | b']' | b'}') => depth += 1,
-                ScriptTokenKind::Mark(b'(') if depth == 0 => {
-                    return Some(self.word(at.checked_sub(1)?));
+    /// The name of the variable or property that receives a text, perhaps through a call with it alone.
+    fn target(&self, root: ScriptNodeId) -> Option<&'t str> {
+        let tree = self.texts.tree;
+        let mut at = root;
+        for parent in tree.above(root) {
+            let node = tree.node(parent)?;
+            match &node.kind {
+                NodeKind::Property(name) | NodeKind::Variable(name) | NodeKind::Attribute(name) => {
+                    return self.text.get(name.clone());
                 }
-                ScriptTokenKind::Mark(b'[' | b'{' | b';') if depth == 0 => return None,
-                ScriptTokenKind::Mark(b'(' | b'[' | b'{') => depth = depth.checked_sub(1)?,
-                _ => {}
+                NodeKind::Assignment(_) => {
+                    let target = *node.children.first().filter(|c| **c != at)?;
+                    let index = || tree.node(tree.child(target, 1)?);
+                    let index = index().filter(|n| n.kind == NodeKind::Text);
+                    let index = index.and_then(|n| self.text.get(n.span.clone()));
+                    return self.name(target).or(index);
+                }
+                NodeKind::Choice | NodeKind::Tagged | NodeKind::Array | NodeKind::Other => {}
+                NodeKind::Return | NodeKind::Function | NodeKind::Member(_) => {}
+                NodeKind::Call if node.children.len() <= 2 => {}
+                _ => return None,
             }
+            at = parent;
         }
         None
     }
 
-    /// Whether a literal is compared: `a === "..."`, or in a list of such expressions.
-    fn is_compared(&self, literal: usize) -> bool {
-        let mark = |back: usize, mark: u8| {
-            literal
-                .checked_sub(back)
-                .is_some_and(|at| is_mark(self.tokens, at, mark))
-        };
-        mark(1, b'=') && (mark(2, b'=') || mark(2, b'!'))
+    /// The function that is called with the text as an argument.
+    fn call(&self, root: ScriptNodeId) -> Option<&'t str> {
+        let tree = self.texts.tree;
+        let mut at = root;
+        for parent in tree.above(root) {
+            let node = tree.node(parent)?;
+            match &node.kind {
+                NodeKind::Call | NodeKind::New if node.children.first() != Some(&at) => {
+                    return self.name(*node.children.first()?);
+                }
+                NodeKind::Choice | NodeKind::Sum | NodeKind::Other => {}
+                _ => return None,
+            }
+            at = parent;
+        }
+        None
     }
 
-    /// Whether a name that contains "vert" receives a literal.
-    fn is_named_vertex(&self, literal: usize) -> bool {
-        let from = literal.saturating_sub(6);
-        let after = |at: &usize| {
-            !matches!(
-                self.kind(*at),
-                None | Some(ScriptTokenKind::Mark(b';' | b',' | b'{' | b'(' | b')'))
-            ) && !self.tokens.get(*at).is_some_and(is_literal)
-        };
-        let mut all = (from..literal).rev().take_while(after);
-        all.any(|at| {
-            let word = self.word(at).to_ascii_lowercase();
-            self.kind(at) == Some(&ScriptTokenKind::Word) && (word.contains("vert") || word == "vs")
-        })
+    /// Whether a text is compared: `a === "..."`.
+    fn is_compared(&self, root: ScriptNodeId) -> bool {
+        let parent = self.texts.tree.above(root).next();
+        let parent = parent.and_then(|p| self.texts.tree.node(p));
+        parent.is_some_and(|p| p.kind == NodeKind::Comparison)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::token::tokens;
+    use super::super::modules::NoModules;
     use super::*;
+    use crate::script::parse;
+    use crate::script::tree::ScriptNode;
 
     /// Checks the context of the last literal in a script.
     #[track_caller]
     fn check(text: &str, expected: &str) {
-        let all = tokens(text);
-        let literal = all.iter().rposition(is_literal).unwrap();
-        let context = LiteralContext::of(text, &all, literal);
+        let tree = parse(text);
+        let texts = Texts::new(text, &tree, &NoModules);
+        let is_literal = |n: &ScriptNode| matches!(n.kind, NodeKind::Text | NodeKind::Template(_));
+        let literal = tree.nodes.iter().rposition(is_literal).unwrap();
+        let context = LiteralContext::of(text, &texts, texts.root(literal), literal);
         let reported = [
             (context.is_introduced, "introduced"),
             (context.names_shader, "named"),
@@ -289,7 +249,7 @@ mod tests {
         check("gl.shaderSource(f(a), 'x')", "named");
         check("a.vs += 'x'", "named vertex");
         check("shader.replace(/a/, 'x')", "pattern");
-        check("if (a === 'x')", "pattern");
+        check("if (a === 'x') {}", "pattern");
         check("throw new TypeError('x')", "message");
         check("const a = { shaders: 1, b: 'x' }", "");
         check("const shader = a ? '' : 'x'", "named");

@@ -1,6 +1,8 @@
 //! A shader embedded in a file, and which edits are safe.
 
 use shaderlint_text::{Edit, Span};
+use std::ops::Range;
+use std::sync::Arc;
 
 /// A shader embedded in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -13,6 +15,10 @@ pub struct Embedded {
     pub wrapping: Wrapping,
     /// Whether parts of the shader are inserted at run time.
     pub has_holes: bool,
+    /// The texts that the script inserts into the code, in order.
+    pub inserted: Vec<InsertedText>,
+    /// Whether it is only a part of other shaders of the file, which insert it.
+    pub is_part: bool,
     /// Whether the context says that it is a vertex shader.
     pub is_vertex: bool,
     /// Number of its chapter; excerpts of a chapter continue each other.
@@ -80,10 +86,147 @@ impl Embedded {
 
     /// Removes leading white space, as the program does before it compiles the shader.
     pub fn trim_start(&mut self) {
+        let first = self
+            .inserted
+            .first()
+            .map_or(usize::MAX, |part| part.at.start);
         let blanks = self.code.len() - self.code.trim_start().len();
-        self.code.drain(..blanks);
-        self.start += blanks;
+        self.cut(blanks.min(first));
     }
+
+    /// Removes the first bytes.
+    pub(super) fn cut(&mut self, count: usize) {
+        self.code.drain(..count.min(self.code.len()));
+        self.start += count;
+        for part in &mut self.inserted {
+            part.at = part.at.start.saturating_sub(count)..part.at.end.saturating_sub(count);
+        }
+    }
+
+    /// Moves it by the offset of its script.
+    pub(super) fn shift(&mut self, base: usize) {
+        self.start += base;
+        shift(&mut self.inserted, base);
+    }
+}
+
+/// A text that a script inserts into a shader.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct InsertedText {
+    /// The range in the code around it that it replaces; that is blank.
+    pub at: Range<usize>,
+    /// Start offset in its file; `None` if no file contains it.
+    pub start: Option<usize>,
+    /// The code; of the same length as in the file.
+    pub code: String,
+    /// The file that contains it, if it is another one.
+    pub module: Option<ModuleFile>,
+    /// The texts that are inserted into it.
+    pub inserted: Vec<InsertedText>,
+    /// Whether unknown parts are inserted.
+    pub has_holes: bool,
+    /// Whether it is one of several alternatives.
+    pub is_choice: bool,
+}
+
+/// A file that contains a text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ModuleFile {
+    /// Its path.
+    pub path: Arc<str>,
+    /// Its complete text.
+    pub text: Arc<str>,
+}
+
+impl InsertedText {
+    /// A text that no file contains.
+    pub fn known(code: String) -> InsertedText {
+        InsertedText {
+            at: 0..0,
+            start: None,
+            code,
+            module: None,
+            inserted: Vec::new(),
+            has_holes: false,
+            is_choice: false,
+        }
+    }
+
+    /// The text of a file.
+    pub fn whole(text: &str) -> InsertedText {
+        // Tools include other files in it.
+        let completes = |line: &str| {
+            let directive = line.trim_start().strip_prefix('#').map(str::trim_start);
+            let all = ["include", "import", "pragma"];
+            directive.is_some_and(|d| all.iter().any(|word| d.starts_with(word)))
+        };
+        let is_completed = text.lines().any(completes);
+        InsertedText {
+            start: Some(0),
+            has_holes: is_completed,
+            ..InsertedText::known(text.to_string())
+        }
+    }
+
+    /// Says which file contains it, unless that is known.
+    pub fn is_of(&mut self, file: &ModuleFile) {
+        if self.start.is_some() && self.module.is_none() {
+            self.module = Some(file.clone());
+        }
+        self.inserted.iter_mut().for_each(|part| part.is_of(file));
+    }
+
+    /// Several texts, one after the other.
+    pub(super) fn several(all: Vec<InsertedText>) -> InsertedText {
+        let mut joined = InsertedText::known(String::new());
+        joined.has_holes = all.iter().any(|one| one.has_holes);
+        joined.is_choice = all.iter().any(|one| one.is_choice);
+        joined.inserted = all;
+        joined
+    }
+
+    /// The text, if it may replace an expression in its place.
+    pub(super) fn short(&self) -> Option<&str> {
+        let is_short =
+            self.inserted.is_empty() && !self.has_holes && !self.code.contains(['\n', '\r', '\\']);
+        is_short.then_some(self.code.as_str())
+    }
+
+    /// Length in bytes, with what is inserted.
+    pub(super) fn length(&self) -> usize {
+        let inner = self
+            .inserted
+            .iter()
+            .map(InsertedText::length)
+            .sum::<usize>();
+        self.code.len() + inner
+    }
+
+    /// The whole text.
+    pub fn joined(&self) -> String {
+        joined(&self.code, &self.inserted)
+    }
+}
+
+/// Moves texts of a script by its offset.
+fn shift(inserted: &mut [InsertedText], base: usize) {
+    for part in inserted.iter_mut().filter(|part| part.module.is_none()) {
+        part.start = part.start.map(|start| start + base);
+        shift(&mut part.inserted, base);
+    }
+}
+
+/// Code with what is inserted into it.
+pub fn joined(code: &str, inserted: &[InsertedText]) -> String {
+    let mut text = String::new();
+    let mut from = 0;
+    for part in inserted {
+        text.push_str(code.get(from..part.at.start).unwrap_or(""));
+        text.push_str(&part.joined());
+        from = part.at.end;
+    }
+    text.push_str(code.get(from..).unwrap_or(""));
+    text
 }
 
 /// The construct that contains a shader, which limits safe edits.

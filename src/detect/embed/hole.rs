@@ -9,6 +9,8 @@ pub(super) struct Hole {
     pub range: Range<usize>,
     /// What is inserted.
     pub content: HoleContent,
+    /// Whether a longer text may be inserted there.
+    pub has_text: bool,
 }
 
 /// What is inserted.
@@ -18,6 +20,9 @@ pub(super) enum HoleContent {
     Expression(String),
     /// This text.
     Known(String),
+    /// One of several texts, of which this is one; of the expression only the name of a chunk is known
+    /// well enough.
+    Chosen(String, String),
     /// Nothing: a control construct of a template.
     Nothing,
 }

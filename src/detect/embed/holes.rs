@@ -12,31 +12,67 @@ use std::ops::Range;
 /// Placeholder in the bytes of holes that are not filled yet.
 pub(super) const OPEN: u8 = 1;
 
-/// Fills holes in source order. Returns whether unknown code is inserted.
-pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> bool {
+/// How holes were filled.
+pub(super) struct FilledHoles {
+    /// Whether unknown code is inserted.
+    pub is_unknown: bool,
+    /// The holes that are blank, because their text is inserted there.
+    pub inserted: Vec<usize>,
+}
+
+/// Fills holes in source order.
+pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> FilledHoles {
     for hole in holes {
         write(bytes, hole.range.clone(), |_| OPEN);
     }
     let mut words = HoleWords::default();
-    let mut is_unknown = false;
-    for hole in holes {
+    let mut filled = FilledHoles {
+        is_unknown: false,
+        inserted: Vec::new(),
+    };
+    for (index, hole) in holes.iter().enumerate() {
         let range = hole.range.clone();
-        let known = match &hole.content {
+        let mut known = match &hole.content {
             HoleContent::Known(value) => fitted(bytes, &range, value),
-            HoleContent::Nothing => Some(String::new()),
-            HoleContent::Expression(_) => None,
-        };
-        is_unknown |= known.is_none() || hole.content == HoleContent::Nothing;
-        let text = known.unwrap_or_else(|| match &hole.content {
-            HoleContent::Expression(key) | HoleContent::Known(key) => {
-                HolePlace::of(bytes, &range).text(&mut words, key)
+            HoleContent::Chosen(_, value) if is_include(bytes, &range) => {
+                fitted(bytes, &range, value)
             }
+            HoleContent::Nothing => Some(String::new()),
+            HoleContent::Expression(_) | HoleContent::Chosen(..) => None,
+        };
+        if known.is_none() && hole.has_text && is_apart(bytes, &range) {
+            filled.inserted.push(index);
+            known = Some(String::new());
+        }
+        filled.is_unknown |= known.is_none() || hole.content == HoleContent::Nothing;
+        let text = known.unwrap_or_else(|| match &hole.content {
+            HoleContent::Expression(key)
+            | HoleContent::Known(key)
+            | HoleContent::Chosen(key, _) => HolePlace::of(bytes, &range).text(&mut words, key),
             HoleContent::Nothing => String::new(),
         });
         let text = text.as_bytes();
         write(bytes, range, |i| text.get(i).copied().unwrap_or(b' '));
     }
-    is_unknown
+    filled
+}
+
+/// Whether a hole is outside of directives and touches no word, so that tokens may be inserted.
+fn is_apart(bytes: &[u8], range: &Range<usize>) -> bool {
+    let before = range.start.checked_sub(1).and_then(|b| bytes.get(b));
+    let is_tight = |byte: Option<&u8>| byte.is_some_and(|b| is_word(*b) || *b == b'.');
+    let place = HolePlace::of(bytes, range);
+    !is_tight(before)
+        && !is_tight(bytes.get(range.end))
+        && !place.line().trim_start().starts_with('#')
+}
+
+/// Whether a hole is in an include directive.
+fn is_include(bytes: &[u8], range: &Range<usize>) -> bool {
+    let place = HolePlace::of(bytes, range);
+    let line = place.line().trim_start();
+    line.strip_prefix('#')
+        .is_some_and(|rest| rest.trim_start().starts_with("include"))
 }
 
 fn write(bytes: &mut [u8], range: Range<usize>, byte: impl Fn(usize) -> u8) {

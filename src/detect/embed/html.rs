@@ -2,15 +2,16 @@
 
 use super::embedded::{Embedded, Wrapping};
 use super::embedder::LeadingBlanks;
+use super::modules::ImportedTexts;
 use super::tag::{attribute, tag_length};
 use super::{holes::mask, listing, script};
 use crate::kind::Scanned;
 use std::ops::Range;
 
 /// Finds the shaders of a page.
-pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
+pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {
     let count = found.len();
-    elements(text, base, found);
+    elements(text, base, modules, found);
     listing::extract(text, &text.to_ascii_lowercase(), base, found);
     if let Some(own) = found.get_mut(count..) {
         own.sort_by_key(|e| e.start);
@@ -18,7 +19,7 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
 }
 
 /// Finds the shaders in script elements.
-pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
+pub fn elements(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {
     let lower = text.to_ascii_lowercase();
     let trims = LeadingBlanks::of(text) == LeadingBlanks::Trimmed;
     let mut at = 0;
@@ -29,7 +30,7 @@ pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
         };
         let kind = attribute(element.head, "type").unwrap_or("");
         if is_script(kind) {
-            script::extract(content, base + element.start, false, found);
+            script::extract(content, base + element.start, false, modules, found);
         } else if !is_escaped(content)
             && (kind.contains("shader")
                 || kind.contains("glsl")
@@ -41,6 +42,8 @@ pub fn elements(text: &str, base: usize, found: &mut Vec<Embedded>) {
                 start: base + element.start,
                 has_holes: masked.is_some(),
                 code: masked.unwrap_or_else(|| content.to_string()),
+                inserted: Vec::new(),
+                is_part: false,
                 wrapping: Wrapping::Element,
                 is_vertex: [kind, id]
                     .iter()
@@ -124,11 +127,12 @@ fn is_script(kind: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::modules::NoModules;
     use super::*;
 
     fn found(text: &str) -> Vec<Embedded> {
         let mut found = Vec::new();
-        extract(text, 0, &mut found);
+        extract(text, 0, &NoModules, &mut found);
         found
     }
 

@@ -24,6 +24,8 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
                     code: code.to_string(),
                     wrapping: Wrapping::Raw,
                     has_holes: false,
+                    inserted: Vec::new(),
+                    is_part: false,
                     is_vertex: false,
                     chapter: 0,
                 });

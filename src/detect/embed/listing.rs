@@ -39,6 +39,8 @@ pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) 
                     _ => Wrapping::Listing,
                 },
                 has_holes: false,
+                inserted: Vec::new(),
+                is_part: false,
                 is_vertex: label.iter().flatten().any(|w| w.contains("vert")),
                 chapter: 0,
             });

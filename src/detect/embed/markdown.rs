@@ -2,6 +2,7 @@
 
 use super::DocumentLanguage;
 use super::embedded::{Embedded, Wrapping, left_out};
+use super::modules::NoModules;
 use super::{component, holes, html, kdl, script};
 use crate::kind::Evidence;
 
@@ -65,9 +66,9 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
     let label = fence.label.as_str();
     if let Some(language) = language_of(label) {
         return match language {
-            DocumentLanguage::Html => html::extract(content, start, found),
-            DocumentLanguage::Script => script::extract(content, start, false, found),
-            DocumentLanguage::Component => component::extract(content, start, found),
+            DocumentLanguage::Html => html::extract(content, start, &NoModules, found),
+            DocumentLanguage::Script => script::extract(content, start, false, &NoModules, found),
+            DocumentLanguage::Component => component::extract(content, start, &NoModules, found),
             DocumentLanguage::Markdown => extract(content, start, found),
             DocumentLanguage::Kdl => kdl::extract(content, start, found),
         };
@@ -89,12 +90,12 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
     }
     // A GLSL fence that shows a web page.
     if content.trim_start().starts_with('<') {
-        return html::extract(content, start, found);
+        return html::extract(content, start, &NoModules, found);
     }
     // A GLSL fence that shows a script.
     if content.contains("= `") || content.contains("glsl`") {
         let count = found.len();
-        script::extract(content, start, false, found);
+        script::extract(content, start, false, &NoModules, found);
         if found.len() > count {
             return;
         }
@@ -104,6 +105,8 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
     found.push(Embedded {
         start,
         has_holes: masked.is_some(),
+        inserted: Vec::new(),
+        is_part: false,
         code: masked.unwrap_or(code),
         wrapping: Wrapping::Fence,
         is_vertex: label.starts_with("vert"),

@@ -4,9 +4,7 @@
 //! of the outer language is blank. So offsets in a shader are offsets in the file. Escape sequences
 //! are decoded (`\n` is a line break), and `${...}` is replaced by an undeclared name.
 
-mod chain;
 mod component;
-mod constants;
 mod context;
 mod embedded;
 mod embedder;
@@ -16,20 +14,25 @@ mod html;
 mod kdl;
 mod keyword;
 mod listing;
-mod literal;
 mod markdown;
 mod mention;
+mod modules;
 mod script;
 mod tag;
 mod template;
+mod text;
 mod together;
-mod token;
+pub(crate) mod token;
+
+use crate::kind::may_be_shader;
 
 pub use crate::document_language::DocumentLanguage;
-pub use embedded::{Embedded, Wrapping};
+pub use embedded::{Embedded, InsertedText, ModuleFile, Wrapping, joined};
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
 pub use mention::{Mention, MentionKind, NameRole, mentions};
+pub use modules::{ImportedTexts, NoModules};
+pub use script::ParsedScript;
 pub use together::{Asked, asked, strings, together};
 
 /// Finds the shaders in a file, in source order.
@@ -39,20 +42,33 @@ pub fn extract(language: DocumentLanguage, text: &str) -> Vec<Embedded> {
 
 /// Finds the shaders in a file of this name, which may indicate shaders.
 pub fn extract_named(name: &str, language: DocumentLanguage, text: &str) -> Vec<Embedded> {
+    extract_with(name, language, text, &NoModules)
+}
+
+/// Finds the shaders in a file of this name, with what they insert from other modules.
+pub fn extract_with(
+    name: &str,
+    language: DocumentLanguage,
+    text: &str,
+    modules: &dyn ImportedTexts,
+) -> Vec<Embedded> {
     let mut found = Vec::new();
-    let words = [
-        "void", "#version", "glsl", "GLSL", "shader", "```", "~~~", "uniform", "varying", "vec",
-        "float",
-    ];
-    if !words.iter().any(|w| text.contains(w)) {
+    let signs = ["glsl", "GLSL", "shader", "Shader", "```", "~~~"];
+    if !may_be_shader(text) && !signs.iter().any(|w| text.contains(w)) {
         return found;
     }
     match language {
-        DocumentLanguage::Html => html::extract(text, 0, &mut found),
+        DocumentLanguage::Html => html::extract(text, 0, modules, &mut found),
         DocumentLanguage::Script => {
-            script::extract(text, 0, context::is_file_of_shaders(name), &mut found);
+            script::extract(
+                text,
+                0,
+                context::is_file_of_shaders(name),
+                modules,
+                &mut found,
+            );
         }
-        DocumentLanguage::Component => component::extract(text, 0, &mut found),
+        DocumentLanguage::Component => component::extract(text, 0, modules, &mut found),
         DocumentLanguage::Markdown => markdown::extract(text, 0, &mut found),
         DocumentLanguage::Kdl => kdl::extract(text, 0, &mut found),
     }

@@ -1,91 +1,172 @@
 //! Shaders in string literals of a script.
 
-use super::chain::Chain;
-use super::constants::Constants;
-use super::context::{LiteralContext, grown};
-use super::embedded::{Embedded, Wrapping};
+use super::context::LiteralContext;
+use super::embedded::{Embedded, InsertedText, Wrapping, joined};
 use super::holes::mask;
-use super::literal::read;
-use super::token::{ScriptToken, ScriptTokenKind, is_literal, is_mark, tokens};
-use crate::kind::{Chunk, Scanned};
+use super::modules::ImportedTexts;
+use super::text::{ScriptText, Texts};
+use crate::kind::{Chunk, Scanned, may_be_shader};
+use crate::script::parse;
+use crate::script::tree::{NodeKind, ScriptNodeId, ScriptTree};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// Finds the shaders. If the name of the script indicates shaders, its literals need less evidence.
-pub fn extract(text: &str, base: usize, is_named: bool, found: &mut Vec<Embedded>) {
-    let tokens = tokens(text);
+pub fn extract(
+    text: &str,
+    base: usize,
+    is_named: bool,
+    modules: &dyn ImportedTexts,
+    found: &mut Vec<Embedded>,
+) {
+    let tree = parse(text);
     let script = Script {
-        constants: Constants::of(text, &tokens),
-        grown: grown(text, &tokens),
+        text,
+        texts: Texts::new(text, &tree, modules),
         is_named,
     };
-    let mut at = 0;
-    while let Some(token) = tokens.get(at) {
-        if !is_literal(token) {
-            at += 1;
+    let from = found.len();
+    let mut done = 0;
+    for (id, node) in tree.nodes.iter().enumerate() {
+        let is_text = match node.kind {
+            NodeKind::Text | NodeKind::Template(_) => true,
+            _ => script.texts.joins_names(id),
+        };
+        if !is_text || node.span.start < done {
             continue;
         }
-        let chain = Chain::of(text, &tokens, at);
-        let last = chain.last;
-        let shader = shader(text, &tokens, at, &chain, &script);
-        if let Some(shader) = shader {
-            found.push(Embedded {
-                start: shader.start + base,
-                ..shader
-            });
+        let root = script.texts.root(id);
+        let context = LiteralContext::of(text, &script.texts, root, id);
+        if !script.may_hold(root, &context) {
+            continue;
         }
-        at = last + 1;
+        let Some(code) = script.texts.text_of(root) else {
+            continue;
+        };
+        let end = code.start + code.code.len();
+        let is_one = |id: ScriptNodeId| {
+            matches!(tree.node(id).map(|n| &n.kind), Some(NodeKind::Template(_)))
+        };
+        let wrapping = match is_one(id) && tree.node(id).is_some_and(|n| n.span.end == end) {
+            true => Wrapping::Template,
+            false => Wrapping::Quotes,
+        };
+        // Strings in the code that is inserted belong to the text around them.
+        done = end.max(done);
+        found.extend(script.shader(root, code, &context, wrapping));
+    }
+    // Parts are checked in the shaders that insert them.
+    let all = found.get_mut(from..).unwrap_or(&mut []);
+    let mut parts = HashSet::new();
+    all.iter()
+        .for_each(|shader| starts(&shader.inserted, &mut parts));
+    for shader in all {
+        shader.is_part = parts.contains(&shader.start);
+        shader.shift(base);
+    }
+}
+
+/// A script that others import.
+pub struct ParsedScript {
+    text: Arc<str>,
+    tree: ScriptTree,
+}
+
+impl ParsedScript {
+    /// Parses a script.
+    pub fn new(text: Arc<str>) -> ParsedScript {
+        let tree = parse(&text);
+        ParsedScript { text, tree }
+    }
+
+    /// The text that it exports under a name.
+    pub fn export(&self, name: &str, modules: &dyn ImportedTexts) -> Option<InsertedText> {
+        Texts::new(&self.text, &self.tree, modules).export(name)
+    }
+}
+
+/// The starts of the texts of this file that are inserted somewhere.
+fn starts(inserted: &[InsertedText], found: &mut HashSet<usize>) {
+    for part in inserted {
+        if let (Some(start), None) = (part.start, &part.module) {
+            found.insert(start);
+        }
+        starts(&part.inserted, found);
     }
 }
 
 /// What is known about a script.
-struct Script<'a> {
-    constants: Constants,
-    /// Variables to which text is appended.
-    grown: HashSet<&'a str>,
+struct Script<'s> {
+    text: &'s str,
+    texts: Texts<'s>,
     /// Whether the file name indicates shaders.
     is_named: bool,
 }
 
-/// The shader in a chain of literals, if it contains one.
-fn shader(
-    text: &str,
-    tokens: &[ScriptToken],
-    first: usize,
-    chain: &Chain,
-    script: &Script,
-) -> Option<Embedded> {
-    /// Minimum length of a text without a tag or comment.
-    const SHORTEST: usize = 8;
-    let context = LiteralContext::of(text, tokens, first);
-    let end = chain.parts.last().and_then(|l| tokens.get(*l))?.range.end;
-    if !context.is_introduced && end - tokens.get(first)?.range.start < SHORTEST {
-        return None;
+impl Script<'_> {
+    /// Whether an expression may be a shader: its texts, or what they are for, show it.
+    fn may_hold(&self, root: ScriptNodeId, context: &LiteralContext) -> bool {
+        let node = self.texts.tree.node(root);
+        let code = node
+            .and_then(|n| self.text.get(n.span.clone()))
+            .unwrap_or("");
+        context.is_introduced || context.names_shader || may_be_shader(code)
     }
-    let code = read(text, tokens, chain, &script.constants)?;
-    if code.text.trim().is_empty() || !is_taken(&code.text, &context, script.is_named) {
-        return None;
+
+    /// The shader in an expression, if it is one.
+    fn shader(
+        &self,
+        root: ScriptNodeId,
+        code: ScriptText,
+        context: &LiteralContext,
+        wrapping: Wrapping,
+    ) -> Option<Embedded> {
+        /// Minimum length of a text without a tag or comment.
+        const SHORTEST: usize = 8;
+        if !context.is_introduced && code.code.len() < SHORTEST {
+            return None;
+        }
+        let all = joined(&code.code, &code.inserted);
+        if all.trim().is_empty() || !is_taken(&all, context, self.is_named) {
+            return None;
+        }
+        let masked = mask(&code.code);
+        let grows = context
+            .target
+            .as_deref()
+            .is_some_and(|t| self.texts.grows(t));
+        let mut shader = Embedded {
+            start: code.start,
+            has_holes: code.has_holes || masked.is_some() || context.is_pattern || grows,
+            code: masked.unwrap_or(code.code),
+            inserted: code.inserted,
+            wrapping,
+            is_vertex: context.is_vertex,
+            is_part: false,
+            chapter: 0,
+        };
+        self.cut_start(root, &mut shader);
+        Some(shader)
     }
-    let literal = tokens.get(first)?;
-    let is_template =
-        chain.parts.len() == 1 && matches!(literal.kind, ScriptTokenKind::Template(_));
-    let masked = mask(&code.text);
-    let mut shader = Embedded {
-        start: code.start,
-        has_holes: code.has_holes
-            || masked.is_some()
-            || context.is_pattern
-            || context.is_given_to(&script.grown),
-        code: masked.unwrap_or(code.text),
-        wrapping: if is_template {
-            Wrapping::Template
-        } else {
-            Wrapping::Quotes
-        },
-        is_vertex: context.is_vertex,
-        chapter: 0,
-    };
-    cut_start(text, tokens, chain.last + 1, &mut shader);
-    Some(shader)
+
+    /// Removes what `.trim()` or `.slice(1)` removes.
+    fn cut_start(&self, root: ScriptNodeId, shader: &mut Embedded) {
+        let tree = self.texts.tree;
+        let Some(callee) = tree.child(root, 0) else {
+            return;
+        };
+        let first = tree.child(root, 1).and_then(|id| tree.node(id));
+        let first = first.and_then(|node| self.text.get(node.span.clone()));
+        match (tree.last_name(self.text, callee), first) {
+            (Some("trim" | "trimStart" | "trimLeft"), _) => shader.trim_start(),
+            (Some("slice" | "substring" | "substr"), Some("1"))
+                if shader.code.starts_with(['\n', ' ']) =>
+            {
+                shader.cut(1);
+            }
+            _ => {}
+        }
+    }
 }
 
 /// Whether a text is a shader, or a shader fragment that can be checked.
@@ -128,33 +209,15 @@ fn is_balanced(code: &str) -> bool {
     count('{', '}') && count('(', ')')
 }
 
-/// Removes what `.trim()` or `.slice(1)` after the literal removes.
-fn cut_start(text: &str, tokens: &[ScriptToken], after: usize, shader: &mut Embedded) {
-    if !is_mark(tokens, after, b'.') {
-        return;
-    }
-    let word = |at: usize| {
-        let range = tokens.get(at).map_or(0..0, |t| t.range.clone());
-        text.get(range).unwrap_or("")
-    };
-    match (word(after + 1), word(after + 3)) {
-        ("trim" | "trimStart" | "trimLeft", _) => shader.trim_start(),
-        ("slice" | "substring" | "substr", "1") if shader.code.starts_with(['\n', ' ']) => {
-            shader.code.remove(0);
-            shader.start += 1;
-        }
-        _ => {}
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::modules::NoModules;
     use super::*;
 
     #[track_caller]
     fn check(text: &str, expected: &[&str]) {
         let mut found = Vec::new();
-        extract(text, 0, false, &mut found);
+        extract(text, 0, false, &NoModules, &mut found);
         for shader in &found {
             assert!(text.get(shader.start..shader.end()).is_some());
         }
@@ -215,7 +278,7 @@ mod tests {
     fn interpolated_constants_are_inserted_and_other_values_are_holes() {
         let holes = |text: &str| {
             let mut found = Vec::new();
-            extract(text, 0, false, &mut found);
+            extract(text, 0, false, &NoModules, &mut found);
             found.iter().map(|s| s.has_holes).collect::<Vec<_>>()
         };
         let constant = "const PR = 'highp'; const s = `precision ${PR} float; void main() {}`;";

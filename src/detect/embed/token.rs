@@ -25,30 +25,11 @@ pub struct ScriptToken {
     pub range: Range<usize>,
 }
 
-/// Whether a token is a string or a template literal.
-pub fn is_literal(token: &ScriptToken) -> bool {
-    matches!(
-        token.kind,
-        ScriptTokenKind::Quoted | ScriptTokenKind::Template(_)
-    )
-}
-
 /// Whether the token at an index is this mark.
 pub fn is_mark(tokens: &[ScriptToken], at: usize, mark: u8) -> bool {
     tokens
         .get(at)
         .is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
-}
-
-/// The index of the first token from `at` on that is not a comment.
-pub fn skip_comments(tokens: &[ScriptToken], mut at: usize) -> usize {
-    while tokens
-        .get(at)
-        .is_some_and(|t| t.kind == ScriptTokenKind::Comment)
-    {
-        at += 1;
-    }
-    at
 }
 
 /// The tokens of a script up to the first error.

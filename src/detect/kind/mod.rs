@@ -16,6 +16,7 @@ use evidence::starts_as_web;
 pub use evidence::{Evidence, VersionLine, has_main, is_type};
 pub use made::made;
 pub use shader_language::ShaderLanguage;
+pub(crate) use signs::may_be_shader;
 
 use crate::document_language::DocumentLanguage;
 use std::fmt;

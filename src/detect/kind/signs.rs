@@ -94,3 +94,9 @@ pub const SIGNS: &[(ShaderLanguage, &[&str])] = &[
     ]),
     (Diff, &["! ^ diff - - git", "! @ @ -"]),
 ];
+
+/// Whether a text contains a word of which nearly every shader has one.
+pub fn may_be_shader(text: &str) -> bool {
+    let words = ["void", "#version", "uniform", "varying", "vec", "float"];
+    words.iter().any(|word| text.contains(word))
+}

@@ -17,7 +17,7 @@ use shaderlint_lint::Settings;
 use shaderlint_rules::rule;
 use shaderlint_semantic::{Completeness, Function, Program, Stage, Storage, Unit};
 use shaderlint_text::{Role, Sources, Span};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -180,11 +180,14 @@ pub fn link_all(file: &mut FileCheck) {
     let Some(language) = DocumentLanguage::of_extension(&file_extension(&document.path)) else {
         return;
     };
-    let parts = programs(sources, &file.parts, embedded, document.base);
+    let parts = programs(&file.parts, embedded);
+    let whole = || (0..parts.len()).filter(|i| !embedded.get(*i).is_some_and(|e| e.is_part));
     // A document shows fragments of several programs.
     let only = match language {
         DocumentLanguage::Markdown | DocumentLanguage::Kdl => return,
-        _ if parts.iter().all(Option::is_some) => pair(&parts, &mut (0..parts.len())),
+        _ if whole().all(|i| parts.get(i).is_some_and(Option::is_some)) => {
+            pair(&parts, &mut whole())
+        }
         _ => None,
     };
     let mut pairs: Vec<(usize, usize)> = match only {
@@ -223,23 +226,15 @@ pub fn link_all(file: &mut FileCheck) {
 }
 
 /// By embedded shader of a page: its shader, if it may be a stage of a program.
-fn programs<'p>(
-    sources: &Sources,
-    parts: &'p [ShaderInput],
-    embedded: &[Embedded],
-    base: u32,
-) -> Vec<Option<&'p ShaderInput>> {
-    let by_start = parts.iter().flat_map(|part| {
-        let files = part.reading().map_or(&[][..], |r| r.files.as_slice());
-        let codes = files.iter().filter_map(|id| sources.code(*id));
-        codes.map(move |code| (code.base, part))
-    });
-    let by_start: HashMap<u32, &ShaderInput> = by_start.collect();
-    let of = |embedded: &Embedded| {
-        let part = *by_start.get(&(base + embedded.start as u32))?;
-        part.may_be_program().then_some(part)
-    };
-    embedded.iter().map(of).collect()
+fn programs<'p>(parts: &'p [ShaderInput], embedded: &[Embedded]) -> Vec<Option<&'p ShaderInput>> {
+    let mut all = vec![None; embedded.len()];
+    for part in parts.iter().filter(|part| part.may_be_program()) {
+        let place = part.embedded.and_then(|index| all.get_mut(index));
+        if let Some(place) = place {
+            *place = Some(part);
+        }
+    }
+    all
 }
 
 /// The vertex and the fragment shader, if there is one of each.

@@ -60,6 +60,8 @@ impl Report {
         };
         let is_composed = self.embedded.is_empty() && self.analyses.len() == 1;
         let is_shared = self.export.is_some() || is_composed;
+        // A script may insert text into a shader.
+        let is_shared = is_shared || !self.embedded.is_empty();
         let shared = || self.analyses.iter().find(reads).filter(|_| is_shared);
         self.analyses.iter().find(ends_here).or_else(shared)
     }

@@ -18,6 +18,8 @@ pub struct ShaderInput {
     pub readings: Readings,
     /// Whether the types of its channels are inferred.
     pub infer_channels: bool,
+    /// Its index among the embedded shaders of a page or script.
+    pub embedded: Option<usize>,
     /// The page or script that contains it.
     pub embedder: Embedder,
     /// By channel: whether its texture has mipmaps; `None` if unknown.
@@ -36,6 +38,7 @@ impl ShaderInput {
         ShaderInput {
             readings,
             infer_channels: false,
+            embedded: None,
             embedder: Embedder::default(),
             mipmapped: [None; 4],
             missing: Vec::new(),

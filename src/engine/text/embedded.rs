@@ -2,6 +2,7 @@
 
 use super::foreign;
 use super::leading_blanks::leading_blanks;
+use super::pieces::pieces;
 use crate::check_context::CheckContext;
 use crate::hosts::hosted;
 use crate::options::Options;
@@ -16,7 +17,7 @@ use shaderlint_semantic::snippet::{SnippetItem, items};
 use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
 use shaderlint_syntax::{Version, WordClass, classify};
 use shaderlint_text::{FileId, Role};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 /// Maximum number of scopes in an excerpt, and of declarations in a chapter.
@@ -60,9 +61,19 @@ pub fn parts(
         DocumentLanguage::Markdown | DocumentLanguage::Html
     );
     let is_desktop = is_document && speaks_of_desktop(text);
+    let around = FileContext {
+        embedder,
+        is_300,
+        is_compiled,
+    };
     let mut known = ChapterVariables::default();
-    for embedded in &all {
+    let mut modules = HashMap::new();
+    for (index, embedded) in all.iter().enumerate() {
         known.enter(embedded.chapter);
+        // It is checked in the shaders that insert it.
+        if embedded.is_part {
+            continue;
+        }
         let is_part = |code: &str| {
             let guessed = guess(code);
             !code.contains("#version") && !guessed.has_main && !guessed.is_shadertoy()
@@ -79,13 +90,18 @@ pub fn parts(
         if foreign::inside(input, file, embedded, options)? {
             continue;
         }
-        let around = FileContext {
-            embedder,
-            is_300,
-            is_compiled,
+        let read = match is_excerpt(embedded) {
+            true => excerpt(input, file, embedded, &mut known)?,
+            false => {
+                let sources = Arc::make_mut(&mut input.sources);
+                pieces(sources, file, embedded, &mut modules)?
+            }
         };
-        let part = part(input, file, embedded, around, &mut known, options)?;
-        input.parts.push(part);
+        let part = part(input, embedded, read, around, options)?;
+        input.parts.push(ShaderInput {
+            embedded: Some(index),
+            ..part
+        });
     }
     input.embedded = all;
     Some(())
@@ -123,25 +139,29 @@ fn speaks_of_desktop(text: &str) -> bool {
     versions.peek().is_some() && versions.all(|found| found == Some(ShaderLanguage::Desktop))
 }
 
-fn part(
-    input: &mut SplitInput,
-    file: FileId,
-    embedded: &Embedded,
-    around: FileContext,
-    known: &mut ChapterVariables,
-    options: &Options,
-) -> Option<ShaderInput> {
+/// Whether it is shown, not run.
+fn is_shown(embedded: &Embedded) -> bool {
+    matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing)
+}
+
+/// Whether it shows only parts of a shader.
+fn is_excerpt(embedded: &Embedded) -> bool {
     let code = embedded.code.as_str();
     let guessed = guess(code);
     let has_entry =
         guessed.has_main || guessed.is_shadertoy() || code.trim_start().starts_with("#version");
-    let is_shown = matches!(embedded.wrapping, Wrapping::Fence | Wrapping::Listing);
-    let is_excerpt = is_shown && (!has_entry || embedded.has_holes);
-    let files = if is_excerpt {
-        excerpt(input, file, embedded, known)?
-    } else {
-        vec![Arc::make_mut(&mut input.sources).embed(file, embedded.start, code)?]
-    };
+    is_shown(embedded) && (!has_entry || embedded.has_holes)
+}
+
+fn part(
+    input: &mut SplitInput,
+    embedded: &Embedded,
+    files: Vec<FileId>,
+    around: FileContext,
+    options: &Options,
+) -> Option<ShaderInput> {
+    let code = embedded.code.as_str();
+    let guessed = guess(code);
     let text = InputText {
         files,
         stage: embedded.is_vertex.then_some(Stage::Vertex),
@@ -151,9 +171,9 @@ fn part(
             Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
         is_open: false,
-        is_compiled: around.is_compiled && !is_shown,
+        is_compiled: around.is_compiled && !is_shown(embedded),
         is_300: around.is_300,
-        has_holes: is_excerpt || embedded.has_holes,
+        has_holes: is_excerpt(embedded) || embedded.has_holes,
     };
     let readings = Readings::of(
         Arc::make_mut(&mut input.sources),

@@ -3,5 +3,6 @@
 pub mod embedded;
 pub mod foreign;
 mod leading_blanks;
+mod pieces;
 pub mod shader_file;
 pub mod split;

@@ -8,9 +8,9 @@ use crate::options::Desktop;
 use crate::shader::export::ExportText;
 use crate::shader::input::SplitInput;
 use crate::shader::shader_input::ShaderInput;
-use shaderlint_detect::embed::extract_named;
+use shaderlint_detect::embed::extract_with;
 use shaderlint_detect::kind::{Decision, FileKind, ShaderLanguage};
-use shaderlint_project::{Project, ProjectError, compose};
+use shaderlint_project::{ModuleCache, Project, ProjectError, ScriptModules, compose};
 use shaderlint_text::Role;
 use std::fmt;
 use std::sync::Arc;
@@ -75,7 +75,9 @@ pub fn split(
     input.file = Some(file);
     match decision.kind {
         FileKind::Holds(language) => {
-            input.embedded = extract_named(name, language, text);
+            let read = ModuleCache::default();
+            let modules = ScriptModules::new(name, context.file_access(), &read);
+            input.embedded = extract_with(name, language, text, &modules);
             embedded::parts(&mut input, name, language, file, text, context)
         }
         FileKind::Shader

@@ -5,6 +5,7 @@ mod find;
 pub mod gathered;
 mod module;
 mod moved;
+pub mod script;
 mod subject;
 
 pub use find::Absence;
