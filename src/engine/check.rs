@@ -19,6 +19,7 @@ use shaderlint_lint::{Allows, CheckedSpans, SkippedRules};
 use shaderlint_project::Files;
 use shaderlint_semantic::Completeness;
 use shaderlint_text::{Content, Encoding, FileId, Role, Sources, Span};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Checks a text. `name` is its path: the extension selects the kind of file, and includes are
@@ -260,7 +261,11 @@ fn understand(
     {
         return Some(composed);
     }
-    let lacking = lacking.filter(|_| is_open);
+    // A host inserts the chunks of a text that lacks nothing else.
+    let has_chunks = !part.readings.chunks().is_empty();
+    let lacking = lacking
+        .or(has_chunks.then(BTreeSet::new))
+        .filter(|_| is_open);
     let (presets, is_sure) = lacking.map_or((Vec::new(), true), |lacking| {
         hosts.of(&lacking, &part.readings)
     });
@@ -270,8 +275,7 @@ fn understand(
     drop(checked);
     part.readings
         .host(Arc::make_mut(sources), &presets, options)?;
-    let script = hosts.script();
-    part.readings.are_hosts_complete = presets.iter().all(|p| p.is_complete_in(script));
+    part.readings.are_hosts_complete = presets.iter().all(|p| hosts.is_complete(p));
     part.readings.is_guessed = !is_sure;
     part.readings.check(sources, part.infer_channels)
 }

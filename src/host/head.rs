@@ -96,7 +96,7 @@ const SHADER_TEMPLATE: &str = "#ifdef SHADER_TEMPLATE";
 const SHADER_MAIN: &str = "#ifdef SHADER_MAIN";
 
 /// The keys of a header.
-const KEYS: [&str; 28] = [
+const KEYS: [&str; 29] = [
     "alias",
     "reads",
     "base",
@@ -109,6 +109,7 @@ const KEYS: [&str; 28] = [
     "include",
     "hole",
     "file",
+    "chunks",
     "version",
     "requires",
     "names",
@@ -183,6 +184,7 @@ impl Preset {
             "word" => self.words.extend(words()),
             "entry" => self.entries.extend(words()),
             "global" => self.globals.extend(words()),
+            "chunks" => self.chunks = value.to_string(),
             "file" => self.files.extend(words()),
             "include" => self.includes = value.to_string(),
             "hole" => self.holes.extend(words()),

@@ -11,6 +11,7 @@
 //! which `port_entry` is the entry function of the shader. Between `#ifdef SHADER_TEMPLATE` and `#endif` is what surrounds the code of a
 //! shader that is written for the host ([`Template`]).
 
+mod chunk;
 mod derived;
 mod head;
 mod limit;
@@ -20,6 +21,7 @@ mod near;
 mod preset;
 mod template;
 
+pub use chunk::{HostChunk, chunk_names, chunk_prelude, is_chunk, was_in_chunk};
 pub use limit::Limit;
 pub use meaning::{
     COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,

@@ -48,6 +48,8 @@ pub struct RequiredVersion {
 pub struct Preset {
     /// The name in configurations and for `--host`; empty for a host written by a user.
     pub name: &'static str,
+    /// The table of the chunks that it inserts; empty if it has none.
+    pub chunks: String,
     /// Alternative names.
     pub aliases: Vec<String>,
     /// The name in prose.
@@ -301,8 +303,20 @@ impl Preset {
 
     /// Whether a shader in a script gets no other names from the host.
     pub fn is_complete_in(&self, script: &str) -> bool {
-        let uses = |name: &String| script.contains(name.as_str());
-        self.is_complete || self.complete.iter().any(uses) && !self.patched.iter().any(uses)
+        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let is_whole = |(at, word): (usize, &str)| {
+            let before = script.get(..at).and_then(|t| t.chars().next_back());
+            let after = script.get(at + word.len()..).and_then(|t| t.chars().next());
+            !before.is_some_and(is_word) && !after.is_some_and(is_word)
+        };
+        let uses = |name: &String| script.match_indices(name.as_str()).any(is_whole);
+        let patches = |name: &String| script.contains(name.as_str());
+        self.is_complete || self.complete.iter().any(uses) && !self.patched.iter().any(patches)
+    }
+
+    /// Whether what a shader is handed to gives it no other names.
+    pub fn is_complete_for(&self, receiver: &str) -> bool {
+        self.is_complete || self.complete.iter().any(|name| name == receiver)
     }
 
     /// Whether a name, and a type if it has one, is one that the host sets.
@@ -395,6 +409,9 @@ impl Preset {
         }
         if self.entries.is_empty() {
             self.entries = base.entries.clone();
+        }
+        if self.chunks.is_empty() {
+            self.chunks = base.chunks.clone();
         }
         self.holes.extend(base.holes.iter().cloned());
     }

@@ -27,13 +27,14 @@ pub use control::{ControlChoice, ControlKind, UniformControl};
 pub use dialect::{
     Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
     UniformData, VaryingValue, asks_for_desktop, best, bind, bindings, calls_entry,
-    declared_control, hosted, imported_hosts, imports, installed_hosts, may_be_composed, plan,
-    recognise,
+    declared_control, hosted, imported_hosts, installed_hosts, may_be_composed, plan, recognise,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use files::family::{Family, common_of, family, is_common};
 pub use files::file_cache::FileCache;
 pub use files::for_others::NamesForOthers;
+pub use files::imports::{imports, meant};
+pub use files::scan::{IncludedChunk, chunks_in};
 pub use files::words::{counts, hash};
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use include::gathered::{GatheredText, gather};

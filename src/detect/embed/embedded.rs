@@ -16,7 +16,7 @@ pub struct Embedded {
     /// Whether parts of the shader are inserted at run time.
     pub has_holes: bool,
     /// The texts that the script inserts into the code, in order.
-    pub inserted: Vec<InsertedText>,
+    pub inserted: Vec<InsertedPart>,
     /// Whether it is only a part of other shaders of the file, which insert it.
     pub is_part: bool,
     /// Whether the context says that it is a vertex shader.
@@ -112,7 +112,7 @@ impl Embedded {
 
 /// A text that a script inserts into a shader.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct InsertedText {
+pub struct InsertedPart {
     /// The range in the code around it that it replaces; that is blank.
     pub at: Range<usize>,
     /// Start offset in its file; `None` if no file contains it.
@@ -122,7 +122,7 @@ pub struct InsertedText {
     /// The file that contains it, if it is another one.
     pub module: Option<ModuleFile>,
     /// The texts that are inserted into it.
-    pub inserted: Vec<InsertedText>,
+    pub inserted: Vec<InsertedPart>,
     /// Whether unknown parts are inserted.
     pub has_holes: bool,
     /// Whether it is one of several alternatives.
@@ -138,10 +138,10 @@ pub struct ModuleFile {
     pub text: Arc<str>,
 }
 
-impl InsertedText {
+impl InsertedPart {
     /// A text that no file contains.
-    pub fn known(code: String) -> InsertedText {
-        InsertedText {
+    pub fn known(code: String) -> InsertedPart {
+        InsertedPart {
             at: 0..0,
             start: None,
             code,
@@ -153,7 +153,7 @@ impl InsertedText {
     }
 
     /// The text of a file.
-    pub fn whole(text: &str) -> InsertedText {
+    pub fn whole(text: &str) -> InsertedPart {
         // Tools include other files in it.
         let completes = |line: &str| {
             let directive = line.trim_start().strip_prefix('#').map(str::trim_start);
@@ -161,10 +161,10 @@ impl InsertedText {
             directive.is_some_and(|d| all.iter().any(|word| d.starts_with(word)))
         };
         let is_completed = text.lines().any(completes);
-        InsertedText {
+        InsertedPart {
             start: Some(0),
             has_holes: is_completed,
-            ..InsertedText::known(text.to_string())
+            ..InsertedPart::known(text.to_string())
         }
     }
 
@@ -177,8 +177,8 @@ impl InsertedText {
     }
 
     /// Several texts, one after the other.
-    pub(super) fn several(all: Vec<InsertedText>) -> InsertedText {
-        let mut joined = InsertedText::known(String::new());
+    pub(super) fn several(all: Vec<InsertedPart>) -> InsertedPart {
+        let mut joined = InsertedPart::known(String::new());
         joined.has_holes = all.iter().any(|one| one.has_holes);
         joined.is_choice = all.iter().any(|one| one.is_choice);
         joined.inserted = all;
@@ -197,7 +197,7 @@ impl InsertedText {
         let inner = self
             .inserted
             .iter()
-            .map(InsertedText::length)
+            .map(InsertedPart::length)
             .sum::<usize>();
         self.code.len() + inner
     }
@@ -209,7 +209,7 @@ impl InsertedText {
 }
 
 /// Moves texts of a script by its offset.
-fn shift(inserted: &mut [InsertedText], base: usize) {
+fn shift(inserted: &mut [InsertedPart], base: usize) {
     for part in inserted.iter_mut().filter(|part| part.module.is_none()) {
         part.start = part.start.map(|start| start + base);
         shift(&mut part.inserted, base);
@@ -217,7 +217,7 @@ fn shift(inserted: &mut [InsertedText], base: usize) {
 }
 
 /// Code with what is inserted into it.
-pub fn joined(code: &str, inserted: &[InsertedText]) -> String {
+pub fn joined(code: &str, inserted: &[InsertedPart]) -> String {
     let mut text = String::new();
     let mut from = 0;
     for part in inserted {

@@ -3,7 +3,7 @@
 
 use super::DocumentLanguage;
 use super::together::scripts;
-use super::token::{ScriptToken, ScriptTokenKind, tokens};
+use crate::script::token::{ScriptToken, ScriptTokenKind, tokens};
 use std::ops::Range;
 
 /// What scripts use a name for.

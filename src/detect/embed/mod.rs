@@ -22,12 +22,11 @@ mod tag;
 mod template;
 mod text;
 mod together;
-pub(crate) mod token;
 
 use crate::kind::may_be_shader;
 
 pub use crate::document_language::DocumentLanguage;
-pub use embedded::{Embedded, InsertedText, ModuleFile, Wrapping, joined};
+pub use embedded::{Embedded, InsertedPart, ModuleFile, Wrapping, joined};
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
 pub use mention::{Mention, MentionKind, NameRole, mentions};

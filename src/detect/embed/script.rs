@@ -1,13 +1,13 @@
 //! Shaders in string literals of a script.
 
 use super::context::LiteralContext;
-use super::embedded::{Embedded, InsertedText, Wrapping, joined};
+use super::embedded::{Embedded, InsertedPart, Wrapping, joined};
 use super::holes::mask;
 use super::modules::ImportedTexts;
 use super::text::{ScriptText, Texts};
 use crate::kind::{Chunk, Scanned, may_be_shader};
 use crate::script::parse;
-use crate::script::tree::{NodeKind, ScriptNodeId, ScriptTree};
+use crate::script::tree::{BindingValue, NodeKind, ScriptNodeId, ScriptTree};
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -79,14 +79,53 @@ impl ParsedScript {
         ParsedScript { text, tree }
     }
 
+    /// The functions, classes and elements to which the script hands what it imports from some modules, each
+    /// by the last part of its name; `None` where the text is changed first, or goes elsewhere.
+    pub fn receivers(&self, is_module: impl Fn(&str) -> bool) -> Vec<Option<&str>> {
+        let is_meant = |id: &ScriptNodeId| {
+            let node = self.tree.node(*id).filter(|n| n.kind == NodeKind::Name);
+            let binding = node.and_then(|n| {
+                let name = self.text.get(n.span.clone())?;
+                self.tree.binding(name, n.span.start)
+            });
+            match binding.map(|b| &b.value) {
+                Some(BindingValue::Import(path, _)) => is_module(path),
+                _ => false,
+            }
+        };
+        let uses = (0..self.tree.nodes.len()).filter(is_meant);
+        uses.map(|id| self.receiver(id)).collect()
+    }
+
+    /// The last part of the name of what an expression is handed to.
+    fn receiver(&self, id: ScriptNodeId) -> Option<&str> {
+        let mut from = id;
+        for above in self.tree.above(id) {
+            let node = self.tree.node(above)?;
+            match &node.kind {
+                NodeKind::Call | NodeKind::New if node.children.first() != Some(&from) => {
+                    return self.tree.last_name(&self.text, *node.children.first()?);
+                }
+                NodeKind::Element(name) => return self.text.get(name.clone()),
+                NodeKind::Property(_)
+                | NodeKind::Object
+                | NodeKind::Array
+                | NodeKind::Attribute(_)
+                | NodeKind::Choice => from = above,
+                _ => return None,
+            }
+        }
+        None
+    }
+
     /// The text that it exports under a name.
-    pub fn export(&self, name: &str, modules: &dyn ImportedTexts) -> Option<InsertedText> {
+    pub fn export(&self, name: &str, modules: &dyn ImportedTexts) -> Option<InsertedPart> {
         Texts::new(&self.text, &self.tree, modules).export(name)
     }
 }
 
 /// The starts of the texts of this file that are inserted somewhere.
-fn starts(inserted: &[InsertedText], found: &mut HashSet<usize>) {
+fn starts(inserted: &[InsertedPart], found: &mut HashSet<usize>) {
     for part in inserted {
         if let (Some(start), None) = (part.start, &part.module) {
             found.insert(start);

@@ -1,7 +1,7 @@
 //! The texts that a script puts together: literals, concatenated or joined, with the values of what is
 //! inserted.
 
-use super::embedded::InsertedText;
+use super::embedded::InsertedPart;
 use super::hole::{Hole, HoleContent};
 use super::holes::fill;
 use super::modules::ImportedTexts;
@@ -24,7 +24,7 @@ pub struct ScriptText {
     /// Code of the same length as in the file.
     pub code: String,
     /// What is inserted into it.
-    pub inserted: Vec<InsertedText>,
+    pub inserted: Vec<InsertedPart>,
     /// Whether unknown parts are inserted at run time.
     pub has_holes: bool,
 }
@@ -273,7 +273,7 @@ impl<'s> Texts<'s> {
     }
 
     /// The text of the value of an expression.
-    fn value(&self, id: ScriptNodeId, depth: usize) -> Option<InsertedText> {
+    fn value(&self, id: ScriptNodeId, depth: usize) -> Option<InsertedPart> {
         let (values, bytes) = self.budget.get();
         self.budget.set((values.checked_sub(1)?, bytes));
         if depth > MAX_NAMES {
@@ -281,7 +281,7 @@ impl<'s> Texts<'s> {
         }
         let node = self.tree.node(id)?;
         match &node.kind {
-            NodeKind::Number => number(self.slice(&node.span)).map(InsertedText::known),
+            NodeKind::Number => number(self.slice(&node.span)).map(InsertedPart::known),
             NodeKind::Name => self.value_of_name(self.slice(&node.span), node.span.start, depth),
             NodeKind::Member(name) => {
                 let object = *node.children.first()?;
@@ -293,7 +293,7 @@ impl<'s> Texts<'s> {
             NodeKind::Choice => {
                 let mut alternatives = node.children.iter();
                 let first = alternatives.find_map(|c| self.value(*c, depth + 1))?;
-                Some(InsertedText {
+                Some(InsertedPart {
                     is_choice: true,
                     ..first
                 })
@@ -304,15 +304,15 @@ impl<'s> Texts<'s> {
     }
 
     /// Whether a text may be inserted once more.
-    fn pays(&self, found: &InsertedText) -> bool {
+    fn pays(&self, found: &InsertedPart) -> bool {
         let (values, bytes) = self.budget.get();
         let left = bytes.checked_sub(found.length());
         self.budget.set((values, left.unwrap_or(0)));
         left.is_some()
     }
 
-    fn inserted(&self, text: ScriptText) -> InsertedText {
-        InsertedText {
+    fn inserted(&self, text: ScriptText) -> InsertedPart {
+        InsertedPart {
             at: 0..0,
             start: Some(text.start),
             code: text.code,
@@ -323,7 +323,7 @@ impl<'s> Texts<'s> {
         }
     }
 
-    fn value_of_name(&self, name: &str, at: usize, depth: usize) -> Option<InsertedText> {
+    fn value_of_name(&self, name: &str, at: usize, depth: usize) -> Option<InsertedPart> {
         if self.assigned.contains(name) {
             return None;
         }
@@ -339,7 +339,7 @@ impl<'s> Texts<'s> {
         object: ScriptNodeId,
         name: &str,
         depth: usize,
-    ) -> Option<InsertedText> {
+    ) -> Option<InsertedPart> {
         let node = self.tree.node(object)?;
         let is_name = node.kind == NodeKind::Name;
         let object = match is_name {
@@ -370,7 +370,7 @@ impl<'s> Texts<'s> {
     }
 
     /// The value of a function with one result.
-    fn value_of_call(&self, call: ScriptNodeId, depth: usize) -> Option<InsertedText> {
+    fn value_of_call(&self, call: ScriptNodeId, depth: usize) -> Option<InsertedPart> {
         let callee = self.tree.node(self.tree.child(call, 0)?)?;
         if callee.kind != NodeKind::Name {
             return None;
@@ -393,7 +393,7 @@ impl<'s> Texts<'s> {
     }
 
     /// The text of an export.
-    pub fn export(&self, name: &str) -> Option<InsertedText> {
+    pub fn export(&self, name: &str) -> Option<InsertedPart> {
         match self.tree.exports.get(name) {
             Some(Export::Name(range)) => self.value_of_name(self.slice(range), range.start, 0),
             Some(Export::Node(id)) => self.value(*id, 0),
@@ -421,7 +421,7 @@ struct JoinedBytes<'t, 's> {
     start: usize,
     holes: Vec<Hole>,
     /// By hole: what is inserted there.
-    values: Vec<Option<InsertedText>>,
+    values: Vec<Option<InsertedPart>>,
     depth: usize,
     /// Whether unknown text precedes or follows.
     goes_on: bool,
@@ -486,11 +486,11 @@ impl JoinedBytes<'_, '_> {
         let values = others
             .iter()
             .map(|id| self.texts.value(*id, self.depth + 1));
-        let values: Option<Vec<InsertedText>> = values.collect();
-        self.put(range, text, values.map(InsertedText::several));
+        let values: Option<Vec<InsertedPart>> = values.collect();
+        self.put(range, text, values.map(InsertedPart::several));
     }
 
-    fn put(&mut self, range: Range<usize>, expression: &str, value: Option<InsertedText>) {
+    fn put(&mut self, range: Range<usize>, expression: &str, value: Option<InsertedPart>) {
         let of = |at: usize| at.saturating_sub(self.start);
         let range = of(range.start)..of(range.end);
         if range.is_empty() && value.is_none() {
@@ -591,7 +591,7 @@ impl JoinedBytes<'_, '_> {
         for (index, (hole, value)) in all {
             if let Some(value) = value.filter(|_| filled.inserted.contains(&index)) {
                 has_holes |= value.has_holes;
-                inserted.push(InsertedText {
+                inserted.push(InsertedPart {
                     at: hole.range,
                     ..value
                 });

@@ -3,21 +3,36 @@
 use super::DocumentLanguage;
 use super::embedded::Embedded;
 use super::html;
-use super::token::{ScriptToken, ScriptTokenKind, tokens};
+use crate::script::parse;
+use crate::script::token::{ScriptTokenKind, tokens};
+use crate::script::tree::{NodeKind, ScriptNode, ScriptNodeId, ScriptTree};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Maximum number of shaders in one pair of brackets.
+/// Maximum number of shaders in one expression.
 const MAX_GROUP: usize = 8;
 
-/// The shaders that occur together in a pair of brackets of a script: a call, an object, the body
-/// of a function. Indices refer to `all`.
+/// The shaders that occur together in an expression of a script: a call, an object, a function. Indices
+/// refer to `all`.
 pub fn together(language: DocumentLanguage, text: &str, all: &[Embedded]) -> Vec<Vec<usize>> {
     let mut groups = Vec::new();
     for script in scripts(language, text) {
-        let read = tokens(text.get(script.clone()).unwrap_or(""));
-        let names = ShaderNames::of(text, script.start, &read, all);
-        names.groups(&read, &mut groups);
+        let content = text.get(script.clone()).unwrap_or("");
+        let tree = parse(content);
+        let mut names = ShaderNames {
+            text: content,
+            base: script.start,
+            tree: &tree,
+            all,
+            named: HashMap::new(),
+        };
+        for (index, shader) in all.iter().enumerate() {
+            if let Some(id) = html::id_of(text, shader) {
+                names.add(id, index);
+            }
+        }
+        names.add_variables();
+        names.groups(&mut groups);
     }
     groups.sort();
     groups.dedup();
@@ -48,37 +63,13 @@ pub fn strings(language: DocumentLanguage, text: &str) -> Vec<Range<usize>> {
 struct ShaderNames<'a> {
     text: &'a str,
     base: usize,
+    tree: &'a ScriptTree,
     all: &'a [Embedded],
     /// By variable, or by `id` of an element: the shader; `None` if several have the same name.
     named: HashMap<&'a str, Option<usize>>,
 }
 
 impl<'a> ShaderNames<'a> {
-    fn of(
-        text: &'a str,
-        base: usize,
-        tokens: &[ScriptToken],
-        all: &'a [Embedded],
-    ) -> ShaderNames<'a> {
-        let mut names = ShaderNames {
-            text,
-            base,
-            all,
-            named: HashMap::new(),
-        };
-        for (index, shader) in all.iter().enumerate() {
-            if let Some(id) = html::id_of(text, shader) {
-                names.add(id, index);
-            }
-        }
-        for (at, token) in tokens.iter().enumerate() {
-            if let (Some(index), Some(name)) = (names.literal(token), names.variable(tokens, at)) {
-                names.add(name, index);
-            }
-        }
-        names
-    }
-
     fn add(&mut self, name: &'a str, index: usize) {
         let known = self.named.entry(name).or_insert(Some(index));
         if *known != Some(index) {
@@ -86,94 +77,75 @@ impl<'a> ShaderNames<'a> {
         }
     }
 
-    fn word(&self, token: Option<&ScriptToken>) -> &'a str {
-        let range = token.map_or(0..0, |t| t.range.clone());
-        let range = range.start + self.base..range.end + self.base;
-        self.text.get(range).unwrap_or("")
+    /// Adds the variables that a shader initialises: `const NAME = glsl\`...\``.
+    fn add_variables(&mut self) {
+        for node in &self.tree.nodes {
+            if let NodeKind::Variable(name) = &node.kind
+                && let Some(index) = node.children.first().and_then(|id| self.started(*id))
+            {
+                self.add(self.text.get(name.clone()).unwrap_or(""), index);
+            }
+        }
+    }
+
+    /// The shader that an expression starts with.
+    fn started(&self, id: ScriptNodeId) -> Option<usize> {
+        let node = self.tree.node(id)?;
+        let inner = match node.kind {
+            NodeKind::Text | NodeKind::Template(_) => return self.literal(node),
+            NodeKind::Tagged => 1,
+            NodeKind::Sum | NodeKind::Array | NodeKind::Member(_) | NodeKind::Call => 0,
+            _ => return None,
+        };
+        self.started(*node.children.get(inner)?)
     }
 
     /// The shader that starts in a literal.
-    fn literal(&self, token: &ScriptToken) -> Option<usize> {
-        if !matches!(
-            token.kind,
-            ScriptTokenKind::Quoted | ScriptTokenKind::Template(_)
-        ) {
-            return None;
-        }
-        let (start, end) = (token.range.start + self.base, token.range.end + self.base);
+    fn literal(&self, node: &ScriptNode) -> Option<usize> {
+        let (start, end) = (node.span.start + self.base, node.span.end + self.base);
         let index = self.all.partition_point(|s| s.start < start);
         let shader = self.all.get(index)?;
         (shader.start <= end && end > start).then_some(index)
     }
 
-    /// The variable that a literal initialises: `const NAME = glsl\`...\``.
-    fn variable(&self, tokens: &[ScriptToken], literal: usize) -> Option<&'a str> {
-        let mut before = tokens.get(literal.saturating_sub(6)..literal)?.iter().rev();
-        let tags = |t: &&ScriptToken| {
-            matches!(
-                t.kind,
-                ScriptTokenKind::Word | ScriptTokenKind::Comment | ScriptTokenKind::Mark(b'[')
-            )
-        };
-        let equals = before.by_ref().find(|t| !tags(t))?;
-        let name = before.next()?;
-        let is_name =
-            equals.kind == ScriptTokenKind::Mark(b'=') && name.kind == ScriptTokenKind::Word;
-        is_name.then(|| self.word(Some(name)))
-    }
-
-    /// The shader that a token denotes.
-    fn meant(&self, tokens: &[ScriptToken], at: usize) -> Option<usize> {
-        let token = tokens.get(at)?;
-        let mark = |at: Option<usize>, mark| {
-            let token = at.and_then(|a| tokens.get(a));
-            token.is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
-        };
-        match token.kind {
-            ScriptTokenKind::Quoted | ScriptTokenKind::Template(_) => {
-                self.literal(token).or_else(|| {
-                    let name = self.word(Some(token));
-                    self.named
-                        .get(name.trim_start_matches('#'))
-                        .copied()
-                        .flatten()
-                })
+    /// The shader that an expression denotes.
+    fn meant(&self, node: &ScriptNode) -> Option<usize> {
+        let name = self.text.get(node.span.clone())?;
+        let named = |name| self.named.get(name).copied().flatten();
+        match node.kind {
+            NodeKind::Text | NodeKind::Template(_) => {
+                let found = self.literal(node);
+                found.or_else(|| named(name.trim_start_matches('#')))
             }
-            // A key or a member is not a variable.
-            ScriptTokenKind::Word if mark(Some(at + 1), b':') || mark(at.checked_sub(1), b'.') => {
-                None
-            }
-            ScriptTokenKind::Word => self.named.get(self.word(Some(token))).copied().flatten(),
+            NodeKind::Name => named(name),
             _ => None,
         }
     }
 
-    /// Finds the shaders in each pair of brackets.
-    fn groups(&self, tokens: &[ScriptToken], found: &mut Vec<Vec<usize>>) {
-        let mut open: Vec<Vec<usize>> = Vec::new();
-        let add = |group: &mut Vec<usize>, index: usize| {
-            if group.len() <= MAX_GROUP && !group.contains(&index) {
-                group.push(index);
+    /// Finds the shaders in each expression that combines several.
+    fn groups(&self, found: &mut Vec<Vec<usize>>) {
+        let mut inside: Vec<Vec<usize>> = vec![Vec::new(); self.tree.nodes.len()];
+        for (id, node) in self.tree.nodes.iter().enumerate().rev() {
+            // The expressions in a node come after it.
+            let mut own = inside.get_mut(id).map(std::mem::take).unwrap_or_default();
+            own.extend(self.meant(node));
+            own.sort_unstable();
+            own.dedup();
+            own.truncate(MAX_GROUP + 1);
+            if let Some(outer) = node.parent.and_then(|parent| inside.get_mut(parent)) {
+                outer.extend(&own);
             }
-        };
-        for (at, token) in tokens.iter().enumerate() {
-            match token.kind {
-                ScriptTokenKind::Mark(b'(' | b'{' | b'[') => open.push(Vec::new()),
-                ScriptTokenKind::Mark(b')' | b'}' | b']') => {
-                    let mut closed = open.pop().unwrap_or_default();
-                    if let Some(outer) = open.last_mut() {
-                        closed.iter().for_each(|i| add(outer, *i));
-                    }
-                    if (2..=MAX_GROUP).contains(&closed.len()) {
-                        closed.sort_unstable();
-                        found.push(closed);
-                    }
-                }
-                _ => {
-                    if let (Some(group), Some(index)) = (open.last_mut(), self.meant(tokens, at)) {
-                        add(group, index);
-                    }
-                }
+            let combines = matches!(
+                node.kind,
+                NodeKind::Call
+                    | NodeKind::New
+                    | NodeKind::Object
+                    | NodeKind::Array
+                    | NodeKind::Function
+                    | NodeKind::Element(_)
+            );
+            if combines && (2..=MAX_GROUP).contains(&own.len()) {
+                found.push(own);
             }
         }
     }
@@ -194,31 +166,17 @@ pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
     let mut found = Vec::new();
     for script in scripts(language, text) {
         let content = text.get(script.clone()).unwrap_or("");
-        let read = tokens(content);
-        let word = |at: usize| {
-            let range = read.get(at).map_or(0..0, |t| t.range.clone());
-            content.get(range).unwrap_or("")
-        };
-        let mut at = 0;
-        while at < read.len() {
-            let (names, after) = match word(at) {
-                "getUniformLocation" => {
-                    let name = second_argument(&read, at + 1);
-                    (name.into_iter().collect(), at + 1)
-                }
-                "uniforms" => keys(&read, at + 1),
-                _ => (Vec::new(), at + 1),
-            };
-            at = after;
-            for name in names {
-                let text = content.get(name.range.clone()).unwrap_or("");
+        let tree = parse(content);
+        for node in &tree.nodes {
+            for name in names_of(content, &tree, node) {
+                let text = content.get(name.clone()).unwrap_or("");
                 let end = text.find(['[', '.']).unwrap_or(text.len());
-                let name = (text.get(..end).unwrap_or(""), name.range.start);
+                let word = text.get(..end).unwrap_or("");
                 let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-                if !name.0.is_empty() && name.0.chars().all(is_plain) {
-                    let start = script.start + name.1;
+                if !word.is_empty() && word.chars().all(is_plain) {
+                    let start = script.start + name.start;
                     found.push(Asked {
-                        name: name.0.to_string(),
+                        name: word.to_string(),
                         range: start..start + end,
                     });
                 }
@@ -228,60 +186,30 @@ pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
     found
 }
 
-/// The keys of the object after `uniforms:`, and the index of its last token.
-fn keys(tokens: &[ScriptToken], at: usize) -> (Vec<&ScriptToken>, usize) {
-    let mark = |at: usize, mark| {
-        tokens
-            .get(at)
-            .is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
-    };
-    let mut keys = Vec::new();
-    if !mark(at, b':') || !mark(at + 1, b'{') {
-        return (keys, at);
-    }
-    let mut depth = 0_u32;
-    for (i, token) in tokens.iter().enumerate().skip(at + 1) {
-        match token.kind {
-            ScriptTokenKind::Mark(b'(' | b'[' | b'{') => depth += 1,
-            ScriptTokenKind::Mark(b')' | b']' | b'}') if depth <= 1 => return (keys, i),
-            ScriptTokenKind::Mark(b')' | b']' | b'}') => depth -= 1,
-            ScriptTokenKind::Word | ScriptTokenKind::Quoted
-                if depth == 1 && mark(i + 1, b':') && (mark(i - 1, b'{') || mark(i - 1, b',')) =>
-            {
-                keys.push(token);
-            }
-            _ => {}
+/// The ranges of the names of uniforms that an expression itself refers to.
+fn names_of(text: &str, tree: &ScriptTree, node: &ScriptNode) -> Vec<Range<usize>> {
+    let child = |index: usize| tree.node(*node.children.get(index)?);
+    match &node.kind {
+        NodeKind::Call => {
+            let callee = node
+                .children
+                .first()
+                .and_then(|id| tree.last_name(text, *id));
+            let is_query = callee == Some("getUniformLocation") && node.children.len() == 3;
+            let name = child(2).filter(|name| is_query && name.is_constant());
+            name.map(|name| name.span.clone()).into_iter().collect()
         }
-    }
-    (keys, tokens.len())
-}
-
-/// The string that is the complete second argument of the call with its parenthesis at `open`.
-fn second_argument(tokens: &[ScriptToken], open: usize) -> Option<&ScriptToken> {
-    /// Maximum length of the first argument in tokens.
-    const MAX_ARGUMENT: usize = 16;
-    let mut depth = 0_u32;
-    for at in open..open + MAX_ARGUMENT {
-        match tokens.get(at)?.kind {
-            ScriptTokenKind::Mark(b'(' | b'[') => depth += 1,
-            ScriptTokenKind::Mark(b')' | b']') => depth = depth.checked_sub(1)?,
-            ScriptTokenKind::Mark(b',') if depth == 1 => {
-                let (name, close) = (tokens.get(at + 1)?, tokens.get(at + 2)?);
-                let is_string = match &name.kind {
-                    ScriptTokenKind::Quoted => true,
-                    ScriptTokenKind::Template(holes) => holes.is_empty(),
-                    _ => false,
-                };
-                let is_all = close.kind == ScriptTokenKind::Mark(b')');
-                return (is_string && is_all).then_some(name);
-            }
-            _ => {}
+        NodeKind::Property(key) if text.get(key.clone()) == Some("uniforms") => {
+            let object = child(0).filter(|value| value.kind == NodeKind::Object);
+            let all = object.iter().flat_map(|object| &object.children);
+            let keys = all.filter_map(|id| match &tree.node(*id)?.kind {
+                NodeKind::Property(key) => Some(key.clone()),
+                _ => None,
+            });
+            keys.collect()
         }
-        if depth == 0 {
-            return None;
-        }
+        _ => Vec::new(),
     }
-    None
 }
 
 #[cfg(test)]

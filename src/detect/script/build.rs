@@ -40,6 +40,21 @@ fn inside(span: Span) -> Range<usize> {
     range.start + 1..range.end.saturating_sub(1).max(range.start + 1)
 }
 
+/// The path of the module in `require("path")`.
+fn required(value: &js::Expression) -> Option<String> {
+    let js::Expression::CallExpression(call) = value else {
+        return None;
+    };
+    match (&call.callee, call.arguments.first()?) {
+        (js::Expression::Identifier(name), js::Argument::StringLiteral(path))
+            if name.name == "require" =>
+        {
+            Some(path.value.to_string())
+        }
+        _ => None,
+    }
+}
+
 struct TreeBuilder<'t> {
     text: &'t str,
     tree: ScriptTree,
@@ -343,8 +358,13 @@ impl<'a> Visit<'a> for TreeBuilder<'_> {
                 b.expression(value);
             }
         });
-        let value = self.tree.child(id, 0);
-        let value = value.map_or(BindingValue::Unknown, BindingValue::Node);
+        let value = match it.init.as_ref().and_then(required) {
+            Some(path) => BindingValue::Import(path, "default".to_string()),
+            None => {
+                let value = self.tree.child(id, 0);
+                value.map_or(BindingValue::Unknown, BindingValue::Node)
+            }
+        };
         self.pattern(&it.id, value);
     }
 
@@ -354,6 +374,19 @@ impl<'a> Visit<'a> for TreeBuilder<'_> {
 
     fn visit_function(&mut self, it: &js::Function<'a>, _: oxc_syntax::scope::ScopeFlags) {
         let id = self.function(it);
+        if let Some(name) = &it.id {
+            self.bind(name.span, BindingValue::Node(id));
+        }
+    }
+
+    fn visit_class(&mut self, it: &js::Class<'a>) {
+        let extended = it
+            .heritage
+            .as_ref()
+            .map_or(0..0, |class| range(class.expression.span()));
+        let id = self.node(NodeKind::Class(extended), range(it.span), |b| {
+            walk::walk_class(b, it)
+        });
         if let Some(name) = &it.id {
             self.bind(name.span, BindingValue::Node(id));
         }

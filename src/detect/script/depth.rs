@@ -1,6 +1,6 @@
 //! Whether the nesting of a script is limited, so that a recursive parser has room for it.
 
-use crate::embed::token::{ScriptTokenKind, tokens};
+use super::token::{ScriptTokenKind, tokens};
 
 /// Maximum depth of constructs that are open at the same time.
 const MAX_DEPTH: usize = 200;

@@ -3,6 +3,7 @@
 mod build;
 mod depth;
 mod scan;
+pub mod token;
 pub mod tree;
 
 use oxc_allocator::Allocator;

@@ -1,7 +1,7 @@
 //! The literals of a script that cannot be parsed, each with the name before it.
 
+use super::token::{ScriptToken, ScriptTokenKind, is_mark, tokens};
 use super::tree::{NodeKind, ScriptNode, ScriptNodeId, ScriptTree};
-use crate::embed::token::{ScriptToken, ScriptTokenKind, is_mark, tokens};
 
 /// Finds the literals of a script up to the first that is not closed.
 pub fn scan(text: &str) -> ScriptTree {

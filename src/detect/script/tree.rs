@@ -38,6 +38,17 @@ pub struct ScriptNode {
     pub children: Vec<ScriptNodeId>,
 }
 
+impl ScriptNode {
+    /// Whether it is a literal without `${...}`.
+    pub fn is_constant(&self) -> bool {
+        match &self.kind {
+            NodeKind::Text => true,
+            NodeKind::Template(holes) => holes.is_empty(),
+            _ => false,
+        }
+    }
+}
+
 /// What a node is. Ranges are those of names.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum NodeKind {
@@ -77,8 +88,10 @@ pub enum NodeKind {
     Assignment(bool),
     /// A declared variable; the child is its value.
     Variable(Range<usize>),
-    /// A function or class.
+    /// A function.
     Function,
+    /// A class with the text of the class that it extends.
+    Class(Range<usize>),
     /// The result of a function.
     Return,
     /// An element of JSX.
@@ -165,12 +178,21 @@ impl ScriptTree {
         })
     }
 
-    /// The last name of a callee or of another expression: `c` of `a.b.c`.
+    /// The last name of a callee or of another expression: `c` of `a.b.c`. For `super` that of the class.
     pub fn last_name<'t>(&self, text: &'t str, id: ScriptNodeId) -> Option<&'t str> {
         let node = self.nodes.get(id)?;
         match &node.kind {
             NodeKind::Name => text.get(node.span.clone()),
             NodeKind::Member(name) => text.get(name.clone()),
+            NodeKind::Other if text.get(node.span.clone()) == Some("super") => {
+                let extended =
+                    self.above(id)
+                        .find_map(|above| match &self.nodes.get(above)?.kind {
+                            NodeKind::Class(extended) => text.get(extended.clone()),
+                            _ => None,
+                        });
+                extended?.rsplit('.').next()
+            }
             _ => None,
         }
     }

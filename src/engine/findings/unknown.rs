@@ -11,9 +11,9 @@ use crate::shader::reading::code_of;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_explain::Checked;
-use shaderlint_host::matches_any;
+use shaderlint_host::{matches_any, was_in_chunk};
 use shaderlint_semantic::{BuiltinId, Completeness};
-use shaderlint_text::{Edit, Span};
+use shaderlint_text::{Edit, Role, Span};
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
@@ -51,6 +51,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     }
     let named = |d: &Diagnostic| sources.text(d.span).to_string();
     let names = unknown.iter().map(named).collect::<BTreeSet<_>>().len();
+    let is_known = is_known(part);
     let openness = Openness::of(part, &unknown, names, |d| {
         let word = sources.text(d.span);
         is_near(d, word) && vocabulary.count(word) == 1
@@ -61,6 +62,8 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
             let count = vocabulary.count(word);
             match openness {
                 Openness::Open => is_near(d, word) && !hosts.is_used_outside(word, count),
+                // A host that is known gives it no text from elsewhere.
+                Openness::Complete if is_known => !hosts.may_be_declared_in_script(word, count),
                 Openness::Closed | Openness::Complete => {
                     !hosts.may_be_declared_outside(word, count)
                 }
@@ -76,7 +79,12 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         // What only other shaders declare may still be meant by them.
         let is_sure = openness == Openness::Complete
             && (hosts.is_in_script(word, count) || !hosts.is_used_outside(word, count));
-        if !is_sure {
+        let was_declared = !part.readings.hosts.is_empty() && was_in_chunk(word);
+        if was_declared {
+            d.notes
+                .push(format!("only other releases of the host declare `{word}`"));
+        }
+        if !is_sure || was_declared {
             d.severity = Severity::Warning;
         }
     }
@@ -95,8 +103,16 @@ impl<'p> Optional<'p> {
     fn of(checked: &'p Checked) -> Optional<'p> {
         let program = &checked.program;
         let tokens = &program.tokens;
-        let is_own =
-            |span: &&Span| program.sources.is_user(span.start) && tokens.is_undecided(**span);
+        let sources = &program.sources;
+        // The chunks of a host have names.
+        let is_of_chunk = |span: &Span| {
+            let file = sources.file_at(span.start);
+            file.is_some_and(|f| f.role == Role::Prelude && !f.path.is_empty())
+        };
+        let is_own = |span: &&Span| match sources.is_user(span.start) {
+            true => tokens.is_undecided(**span),
+            false => is_of_chunk(span),
+        };
         let groups = tokens.inactive.iter().filter(is_own);
         Optional(
             groups
@@ -130,21 +146,28 @@ impl Openness {
         is_typo: impl Fn(&Diagnostic) -> bool,
     ) -> Openness {
         let readings = &part.readings;
-        if !readings.holds_entry() || readings.has_gaps() || !part.missing.is_empty() {
+        if !readings.holds_entry() && !readings.is_called
+            || readings.has_gaps()
+            || !part.missing.is_empty()
+        {
             return Openness::Open;
         }
-        let is_known = match readings.hosts.is_empty() {
-            true => part.embedder.hands_over,
-            false => readings.are_hosts_complete,
-        };
         // A text in which all undeclared names are typos needs no host.
-        if is_known || unknown.iter().all(is_typo) {
+        if is_known(part) || unknown.iter().all(is_typo) {
             Openness::Complete
         } else if names == 1 {
             Openness::Closed
         } else {
             Openness::Open
         }
+    }
+}
+
+/// Whether all that the hosts of a text add to it is known.
+fn is_known(part: &ShaderInput) -> bool {
+    match part.readings.hosts.is_empty() {
+        true => part.embedder.hands_over,
+        false => part.readings.are_hosts_complete,
     }
 }
 

@@ -4,22 +4,28 @@
 use crate::check_context::CheckContext;
 use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
+use shaderlint_detect::embed::{DocumentLanguage, ParsedScript};
+use shaderlint_detect::kind::file_extension;
 use shaderlint_host::{Preset, presets};
-use shaderlint_project::{NamesForOthers, counts, hash, imported_hosts, installed_hosts};
+use shaderlint_project::{NamesForOthers, counts, hash, imported_hosts, installed_hosts, meant};
 use shaderlint_text::path::plain;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Maximum number of hosts that a text is checked for.
 const MAX_HOSTS: usize = 4;
+/// Maximum number of scripts that import a file and are read.
+const MAX_IMPORTERS: usize = 8;
 
 /// Detects the hosts for the texts of one file.
 pub struct Hosts<'a> {
     name: &'a str,
     /// The page or script that contains the texts.
     script: Option<Arc<str>>,
+    /// The scripts that import the file, with their texts; computed on first use.
+    importers: OnceCell<Vec<(PathBuf, Arc<str>)>>,
     /// How often each word appears in the script, by hash; computed on first use.
     counts: OnceCell<FxHashMap<u64, usize>>,
     /// The names that the script may declare for its shaders, by hash, and whether it puts declarations
@@ -38,6 +44,7 @@ impl<'a> Hosts<'a> {
         Hosts {
             name,
             script,
+            importers: OnceCell::new(),
             counts: OnceCell::new(),
             given: OnceCell::new(),
             context,
@@ -59,15 +66,35 @@ impl<'a> Hosts<'a> {
                 .take(MAX_HOSTS)
                 .collect()
         };
-        let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name));
+        let imported = self.imported().iter();
+        let installed = self.installed().iter();
+        let others = installed.filter(|p| !self.imported().iter().any(|i| i.name == p.name));
+        let around: Vec<_> = imported.chain(others).copied().collect();
+        let around = || around.iter().copied();
+        // A function that only this host calls.
+        let calls = |p: &&Preset| p.entries.iter().any(|e| e != "main" && readings.defines(e));
+        let by_entry = some(&mut around().filter(calls));
+        if !by_entry.is_empty() {
+            return (by_entry, true);
+        }
+        // A program of its own does not run in a site or a tool.
+        let is_program = self.is_in_program();
+        let may_run = |p: &Preset| !is_program || !p.packages.is_empty() || !p.globals.is_empty();
+        let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name)) && may_run(p);
         let by_word = some(&mut presets().filter(named));
         if !by_word.is_empty() {
             return (by_word, true);
         }
-        let imported = self.imported().iter();
-        let installed = self.installed().iter();
-        let others = installed.filter(|p| !self.imported().iter().any(|i| i.name == p.name));
-        (some(&mut imported.chain(others).copied()), false)
+        let inserts = |p: &&Preset| readings.chunks().iter().any(|name| p.chunk(name).is_some());
+        let by_chunk = some(&mut around().filter(inserts));
+        match readings.chunks() {
+            [] => (some(&mut around()), false),
+            _ if by_chunk.is_empty() => (
+                some(&mut presets().filter(|p| p.base.is_none() && inserts(p))),
+                true,
+            ),
+            _ => (by_chunk, true),
+        }
     }
 
     /// The path of the file.
@@ -80,9 +107,76 @@ impl<'a> Hosts<'a> {
         self.context
     }
 
-    /// The page or script that contains the texts; empty for shader files.
-    pub fn script(&self) -> &str {
-        self.script.as_deref().unwrap_or("")
+    /// The scripts around the texts: the one that contains them, or those that import the file.
+    fn scripts(&self) -> Vec<(&Path, &str)> {
+        match &self.script {
+            Some(text) => vec![(Path::new(self.name), text)],
+            None => self
+                .importers()
+                .iter()
+                .map(|(path, text)| (path.as_path(), &**text))
+                .collect(),
+        }
+    }
+
+    /// The scripts that import the file, with their texts.
+    fn importers(&self) -> &[(PathBuf, Arc<str>)] {
+        self.importers.get_or_init(|| {
+            let files = self.context.files;
+            let cache = &self.context.options.file_cache;
+            let all = cache
+                .importers(&self.file(), files)
+                .into_iter()
+                .take(MAX_IMPORTERS);
+            all.filter_map(|path| Some((path.clone(), files.load(&path).ok()?)))
+                .collect()
+        })
+    }
+
+    /// Whether the text belongs to a program: it is in a script or page, or scripts import it.
+    fn is_in_program(&self) -> bool {
+        let language = DocumentLanguage::of_extension(&file_extension(self.name));
+        match language {
+            Some(DocumentLanguage::Markdown | DocumentLanguage::Kdl) => false,
+            Some(_) => true,
+            None => self.is_imported(),
+        }
+    }
+
+    /// Whether scripts import the file.
+    pub fn is_imported(&self) -> bool {
+        self.script.is_none() && !self.importers().is_empty()
+    }
+
+    /// Whether this host gives the texts no other names: the script that contains them says so, or all that
+    /// import the file hand it on unchanged.
+    pub fn is_complete(&self, host: &Preset) -> bool {
+        match &self.script {
+            Some(script) => host.is_complete_in(script),
+            None if host.is_complete => true,
+            None => {
+                let all = self.importers();
+                !all.is_empty()
+                    && all
+                        .iter()
+                        .all(|(path, text)| self.hands_over(host, path, text))
+            }
+        }
+    }
+
+    /// Whether a script hands the file to a host unchanged.
+    fn hands_over(&self, host: &Preset, path: &Path, text: &Arc<str>) -> bool {
+        let file = self.file();
+        let top = self
+            .context
+            .options
+            .file_cache
+            .top(path, self.context.files);
+        let is_file = |import: &str| meant(import, path, &top).contains(&file);
+        let script = ParsedScript::new(text.clone());
+        let receivers = script.receivers(is_file);
+        let is_known = |name: &Option<&str>| name.is_some_and(|name| host.is_complete_for(name));
+        host.is_complete_in(text) && !receivers.is_empty() && receivers.iter().all(is_known)
     }
 
     /// Whether a word is used outside of a text that uses it `count` times: in the surrounding
@@ -102,17 +196,26 @@ impl<'a> Hosts<'a> {
         is_elsewhere || !is_all
     }
 
+    /// Whether the scripts around a complete text that uses a word `count` times may declare it.
+    pub fn may_be_declared_in_script(&self, word: &str, count: usize) -> bool {
+        let (declared, writes) = self.given.get_or_init(|| {
+            let mut declared = FxHashSet::default();
+            let mut writes = false;
+            for (path, script) in self.scripts() {
+                let found = NamesForOthers::of(&path.to_string_lossy(), script);
+                declared.extend(found.declared.iter().map(|name| hash(name)));
+                writes |= found.writes_declarations;
+            }
+            (declared, writes)
+        });
+        declared.contains(&hash(word)) || *writes && self.is_in_script(word, count)
+    }
+
     /// Whether something outside of a complete text that uses a word `count` times may declare it: the
-    /// surrounding script, or another file of the repository. Other complete shaders declare names for
+    /// scripts around it, or another file of the repository. Other complete shaders declare names for
     /// themselves.
     pub fn may_be_declared_outside(&self, word: &str, count: usize) -> bool {
-        let (declared, writes) = self.given.get_or_init(|| {
-            let script = self.script();
-            let found = NamesForOthers::of(self.name, script);
-            let declared = found.declared.iter().map(|name| hash(name));
-            (declared.collect(), found.writes_declarations)
-        });
-        if declared.contains(&hash(word)) || *writes && self.is_in_script(word, count) {
+        if self.may_be_declared_in_script(word, count) {
             return true;
         }
         let files = self.context.files;
@@ -121,10 +224,19 @@ impl<'a> Hosts<'a> {
         cache.may_be_declared(word, &file, files)
     }
 
-    /// Whether the script around a text that uses a word `count` times contains it too.
+    /// Whether a script around a text that uses a word `count` times contains it too.
     pub fn is_in_script(&self, word: &str, count: usize) -> bool {
-        let counts = self.counts.get_or_init(|| counts(self.script()));
-        counts.get(&hash(word)).is_some_and(|all| *all > count)
+        let counts = self.counts.get_or_init(|| {
+            let mut all = FxHashMap::default();
+            for (_, text) in self.scripts() {
+                for (word, number) in counts(text) {
+                    *all.entry(word).or_insert(0) += number;
+                }
+            }
+            all
+        });
+        let own = if self.script.is_some() { count } else { 0 };
+        counts.get(&hash(word)).is_some_and(|all| *all > own)
     }
 
     /// Whether no host is known that may write `#version` before a text, and no program in the
@@ -143,7 +255,14 @@ impl<'a> Hosts<'a> {
     }
 
     fn imported(&self) -> &[&'static Preset] {
-        self.imported.get_or_init(|| imported_hosts(self.script()))
+        self.imported.get_or_init(|| {
+            let mut found: Vec<&'static Preset> = Vec::new();
+            for (_, text) in self.scripts() {
+                found.extend(imported_hosts(text));
+            }
+            found.dedup_by_key(|host| host.name);
+            found
+        })
     }
 
     fn installed(&self) -> &[&'static Preset] {

@@ -78,8 +78,9 @@ pub fn compose(
     }
     let found = hosted_with_siblings(hosts.name(), &text, given, hosts.context())?;
     let host = found.recognised.host;
-    // What is missing is unknown, so that another host may declare it.
-    if !found.is_sure() && part.readings.has_missing() {
+    // What is missing is unknown, so that another host may declare it; a script that imports the file is a
+    // program of its own.
+    if !found.is_sure() && (part.readings.has_missing() || hosts.is_imported()) {
         return None;
     }
     let is_vertex = found.completion.stage == Stage::Vertex;

@@ -1,12 +1,14 @@
 //! The possible readings of a text: as a complete shader, or as a shader fragment in each way in
 //! which a host may complete it.
 
+use super::chunks::{ExpandedText, with_chunks};
 use super::prelude::{after_version, prelude, with_host};
 use crate::options::{DialectChoice, Options};
 use shaderlint_detect::kind::has_main;
 use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
 use shaderlint_explain::{Checked, analyze_chunk, analyze_within, confirm_unknown};
-use shaderlint_host::{HostVersion, Preset};
+use shaderlint_host::{HostVersion, Preset, chunk_prelude, is_chunk};
+use shaderlint_project::chunks_in;
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
     CHUNK_OUTPUT, Completeness, Dialect, Guess, GuessedKind, Pass, Stage, Unit, chunk_declarations,
@@ -100,6 +102,11 @@ pub struct Readings {
     text: InputText,
     guessed: Guess,
     needs_300: bool,
+    chunks: Vec<String>,
+    /// Whether it defines a function that only a host of it calls.
+    pub is_called: bool,
+    /// Names after `void`.
+    procedures: Vec<String>,
 }
 
 impl Readings {
@@ -124,6 +131,9 @@ impl Readings {
             declared_at_times: Vec::new(),
             guessed: Guess::default(),
             needs_300: false,
+            chunks: Vec::new(),
+            is_called: false,
+            procedures: Vec::new(),
         }
     }
 
@@ -138,8 +148,8 @@ impl Readings {
         let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
         if let Some(all) = &joined {
             guessed = guess(all);
-            // Includes were resolved, so missing files are known.
-            guessed.is_completed = false;
+            // Includes were resolved, so missing files are known; chunks of a host are left.
+            guessed.is_completed &= !chunks_in(all).is_empty();
         }
         let code = joined.as_deref().unwrap_or(code);
         let needs_300 = LazyCell::new(|| needs_300(code));
@@ -157,7 +167,14 @@ impl Readings {
             text,
             guessed,
             needs_300,
+            chunks: chunks_in(code)
+                .into_iter()
+                .map(|chunk| chunk.name)
+                .collect(),
+            is_called: false,
+            procedures: procedures(code),
         };
+        found.chunks.retain(|name| is_chunk(name));
         if presumed == PresumedCompleteness::Chunk && is_body(code) {
             found.put_in_function(sources)?;
         }
@@ -187,6 +204,16 @@ impl Readings {
             found.complete(sources, None, options)?;
         }
         Some(found)
+    }
+
+    /// The names of the chunks that the text includes and that some host has.
+    pub fn chunks(&self) -> &[String] {
+        &self.chunks
+    }
+
+    /// Whether the text may define a function without result of this name.
+    pub fn defines(&self, name: &str) -> bool {
+        self.procedures.iter().any(|own| own == name)
     }
 
     /// Whether the text has a `#version`.
@@ -297,26 +324,39 @@ impl Readings {
         self.declared_at_times.extend(also);
         let code = code_of(sources, &self.text.files);
         self.text.is_open |= presets.iter().any(|p| p.fills(&code));
+        let mut are_known = true;
         for preset in presets {
+            let calls = |entry: &String| entry != "main" && self.defines(entry);
+            self.is_called |= preset.entries.iter().any(calls);
             self.hosts.push(preset.title.clone());
             self.renames |= preset.renames;
-            self.complete(sources, Some(preset), options)?;
+            are_known &= self.complete(sources, Some(preset), options)?;
         }
+        self.guessed.is_completed &= !are_known;
         Some(())
     }
 
-    /// Adds the readings of a shader fragment, completed by a host or by an unknown one.
+    /// Adds the readings of a shader fragment, completed by a host or by an unknown one. Whether the host
+    /// has all chunks that the text includes.
     fn complete(
         &mut self,
         sources: &mut Sources,
         preset: Option<&Preset>,
         options: &Options,
-    ) -> Option<()> {
+    ) -> Option<bool> {
         let code = code_of(sources, &self.text.files);
+        let text = match preset.filter(|_| self.guessed.is_completed) {
+            Some(host) => with_chunks(sources, &self.text.files, host)?,
+            None => ExpandedText::of(&self.text.files),
+        };
+        self.declared_at_times.extend(text.once);
         for (version, stage) in self.ways(preset) {
             let declared = chunk_declarations(version, stage);
             let is_vertex = stage == Stage::Vertex;
-            let own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
+            let mut own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
+            if text.has_chunks {
+                own.push_str(&chunk_prelude());
+            }
             let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
             let own = match writes && !is_vertex && version.has(Feature::InOut) {
                 true => CHUNK_OUTPUT.to_string() + &own,
@@ -324,11 +364,11 @@ impl Readings {
             };
             let files = if self.has_version() {
                 let prelude = sources.add("", None, Role::Prelude, declared + &own)?;
-                after_version(sources, self.text.files.clone(), prelude)?
+                after_version(sources, text.files.clone(), prelude)?
             } else {
                 let first = version.profile().directive;
                 let header = format!("{first}{declared}{own}");
-                with_host(sources, Some(header), self.text.files.clone(), options)?
+                with_host(sources, Some(header), text.files.clone(), options)?
             };
             self.all.push(Reading {
                 files,
@@ -336,7 +376,7 @@ impl Readings {
                 dialect: Dialect::WebGl,
             });
         }
-        Some(())
+        Some(text.has_chunks && !text.is_open)
     }
 
     /// The versions and stages that a shader fragment may be compiled as, most likely first.
@@ -503,6 +543,18 @@ impl Readings {
         });
         confirm_unknown(&others.collect::<Vec<_>>(), unknown);
     }
+}
+
+/// The names of the functions without result that a text may define.
+fn procedures(code: &str) -> Vec<String> {
+    let name = |text: &str| {
+        let name = text.trim_start();
+        let end = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        name.get(..end.unwrap_or(name.len()))
+            .unwrap_or("")
+            .to_string()
+    };
+    code.split("void ").skip(1).map(name).collect()
 }
 
 /// The names that a text lacks; `None` if it is complete and without errors.

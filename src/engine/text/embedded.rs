@@ -34,22 +34,7 @@ pub fn parts(
 ) -> Option<()> {
     let options = context.options;
     let mut all = std::mem::take(&mut input.embedded);
-    // A document shows code of several programs.
-    let embedder = match language {
-        DocumentLanguage::Markdown | DocumentLanguage::Kdl => Embedder::default(),
-        DocumentLanguage::Html | DocumentLanguage::Script | DocumentLanguage::Component => {
-            let own = Embedder::of(text);
-            // What scripts do with leading white space only matters for shaders that start with it.
-            let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
-            match all.iter().any(starts_blank) {
-                true => Embedder {
-                    leading_blanks: leading_blanks(name, text, own, context),
-                    ..own
-                },
-                false => own,
-            }
-        }
-    };
+    let embedder = embedder((name, text), language, &all, context);
     if embedder.leading_blanks == LeadingBlanks::Trimmed {
         all.iter_mut().for_each(Embedded::trim_start);
     }
@@ -105,6 +90,28 @@ pub fn parts(
     }
     input.embedded = all;
     Some(())
+}
+
+/// What the program around the shaders does. A document shows code of several programs.
+fn embedder(
+    (name, text): (&str, &str),
+    language: DocumentLanguage,
+    all: &[Embedded],
+    context: CheckContext,
+) -> Embedder {
+    if matches!(language, DocumentLanguage::Markdown | DocumentLanguage::Kdl) {
+        return Embedder::default();
+    }
+    let own = Embedder::of(text);
+    // What scripts do with leading white space only matters for shaders that start with it.
+    let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
+    match all.iter().any(starts_blank) {
+        true => Embedder {
+            leading_blanks: leading_blanks(name, text, own, context),
+            ..own
+        },
+        false => own,
+    }
 }
 
 /// What is known about the file around a shader.

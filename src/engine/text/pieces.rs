@@ -1,6 +1,6 @@
 //! The code of an embedded shader, put together as its script does.
 
-use shaderlint_detect::embed::{Embedded, InsertedText, ModuleFile};
+use shaderlint_detect::embed::{Embedded, InsertedPart, ModuleFile};
 use shaderlint_text::{FileId, Role, Sources};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ impl Pieces<'_> {
         file: Option<FileId>,
         start: usize,
         code: &str,
-        inserted: &[InsertedText],
+        inserted: &[InsertedPart],
     ) -> Option<()> {
         let mut from = 0;
         for part in inserted {

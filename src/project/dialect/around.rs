@@ -3,6 +3,7 @@
 
 use crate::access::FileAccess;
 use crate::files::Files;
+use crate::files::imports::imports;
 use shaderlint_host::{Preset, presets};
 use shaderlint_text::path::plain;
 use std::collections::BTreeSet;
@@ -13,8 +14,6 @@ use std::sync::Arc;
 const MAX_FILE: usize = 1024 * 1024;
 /// Maximum number of parent folders that are searched.
 const MAX_FOLDERS: usize = 16;
-/// Maximum length of an import path in bytes.
-const MAX_PATH: usize = 300;
 
 /// The hosts that a script imports or uses through their globals.
 pub fn imported_hosts(script: &str) -> Vec<&'static Preset> {
@@ -72,25 +71,6 @@ fn package_of(path: &str) -> &str {
     let parts = if path.starts_with('@') { 2 } else { 1 };
     let end = path.match_indices('/').nth(parts - 1);
     end.and_then(|(at, _)| path.get(..at)).unwrap_or(path)
-}
-
-/// The paths that a script imports or requires.
-pub fn imports(script: &str) -> Vec<&str> {
-    let mut found = Vec::new();
-    for word in ["from", "import", "require"] {
-        for (at, _) in script.match_indices(word) {
-            let after = script.get(at + word.len()..).unwrap_or("");
-            let after = after.trim_start_matches([' ', '(', '\t']);
-            let Some(quote) = after.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
-                continue;
-            };
-            let path = after.get(1..).unwrap_or("");
-            let mut near = path.bytes().take(MAX_PATH);
-            let end = near.position(|b| b == quote as u8 || b == b'\n');
-            found.extend(end.and_then(|end| path.get(..end)));
-        }
-    }
-    found
 }
 
 #[cfg(test)]

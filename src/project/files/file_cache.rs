@@ -72,6 +72,17 @@ impl FileCache {
         })
     }
 
+    /// The root of the repository that contains a file.
+    pub fn top(&self, file: &Path, files: &dyn Files) -> Arc<PathBuf> {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        kept(&self.tops, folder, || top(file, files))
+    }
+
+    /// The scripts of the repository that import a shader file.
+    pub fn importers(&self, file: &Path, files: &dyn Files) -> Vec<PathBuf> {
+        self.of_repository(file, files, |words| words.importers(file).to_vec())
+    }
+
     /// Whether a program in the repository may write `#version` before shaders.
     pub fn adds_version(&self, file: &Path, files: &dyn Files) -> bool {
         self.of_repository(file, files, |words| words.adds_version || !words.is_all)
@@ -84,8 +95,7 @@ impl FileCache {
         ask: impl FnOnce(&RepositoryWords) -> T,
     ) -> T {
         files.depends_on(Dependency::Repository);
-        let folder = file.parent().unwrap_or(Path::new(""));
-        let top = kept(&self.tops, folder, || top(file, files));
+        let top = self.top(file, files);
         let words = kept(&self.words, &top, OnceLock::new);
         ask(words.get_or_init(|| RepositoryWords::under(&top, files)))
     }

@@ -6,7 +6,8 @@
 use super::words::{is_glsl, words};
 use shaderlint_detect::embed::{DocumentLanguage, extract_named};
 use shaderlint_detect::kind::{file_extension, has_main};
-use shaderlint_syntax::{Version, WordClass, classify};
+use shaderlint_semantic::guess;
+use shaderlint_syntax::{Lexer, RawKind, TokenKind, Version, WordClass, classify};
 use std::ops::Range;
 
 /// Maximum length in bytes of what a script defines or replaces at one place.
@@ -37,7 +38,9 @@ impl<'t> NamesForOthers<'t> {
             declarations(own, DeclarationPlace::Anywhere, &mut declared);
             declared.sort_unstable();
             let lacks = |word: &&str| declared.binary_search(word).is_err();
-            found.lacked.extend(names(own).filter(lacks));
+            found
+                .lacked
+                .extend(variables(own).into_iter().filter(lacks));
             from = shader.end;
         }
         found.add_rest(text.get(from..).unwrap_or(""), is_shader);
@@ -55,6 +58,7 @@ impl<'t> NamesForOthers<'t> {
 
 /// The ranges of complete shaders in a file, in order.
 fn complete_shaders(name: &str, text: &str) -> Vec<Range<usize>> {
+    let has_main = |code: &str| has_main(code) && !guess(code).is_shadertoy();
     if !has_main(text) {
         return Vec::new();
     }
@@ -79,6 +83,30 @@ fn names(text: &str) -> impl Iterator<Item = &str> {
     words(text).filter(|word| !word.starts_with(|c: char| c.is_ascii_digit()))
 }
 
+/// The words of a shader that may be names of variables: not in comments, neither called nor members.
+fn variables(text: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    let mut lexer = Lexer::new(text, 0);
+    let (mut after_dot, mut last) = (false, None);
+    loop {
+        let token = lexer.next_token();
+        let word = text.get(token.span.start as usize..token.span.end as usize);
+        match token.kind {
+            RawKind::Whitespace | RawKind::Newline => continue,
+            RawKind::LineComment | RawKind::BlockComment => continue,
+            RawKind::Operator(TokenKind::LeftParen) => last = None,
+            _ => {}
+        }
+        found.extend(last.take());
+        match token.kind {
+            RawKind::End => return found,
+            RawKind::Word if !after_dot => last = word,
+            _ => {}
+        }
+        after_dot = token.kind == RawKind::Operator(TokenKind::Dot);
+    }
+}
+
 /// Which declarations count.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DeclarationPlace {
@@ -91,7 +119,8 @@ enum DeclarationPlace {
 fn declarations<'t>(text: &'t str, from: DeclarationPlace, found: &mut Vec<&'t str>) {
     let is_type = |word: &str| {
         let class = |version| classify(word, version);
-        matches!(class(Version::Es300), WordClass::Type(_))
+        word == "void"
+            || matches!(class(Version::Es300), WordClass::Type(_))
             || matches!(class(Version::Es100), WordClass::Type(_))
     };
     let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
@@ -207,6 +236,9 @@ mod tests {
         let part = "uniform float u1, u2[3], u3;\n#define N 3\nstruct S { vec3 at; };";
         check("a.glsl", part, &["u1", "u2", "u3", "N", "S"], &[]);
         check("a.glsl", "float f(vec2 u1) { vec3 u2; }", &["f"], &[]);
+        check("a.glsl", "void g() {}", &["g"], &[]);
+        let uses = "void main() { gl_FragColor = a.u1 + u2(u3); /* u4 */ }";
+        check("a.glsl", uses, &[], &["u3"]);
         check("a.glsl", "uniform Light light;", &["light"], &[]);
         let script = format!("const a = `{main}`; m({{ defines: {{ N: 3 }} }}); uniforms.u1 = 2;");
         check("a.js", &script, &["N"], &["u1", "u2", "u3"]);

@@ -3,6 +3,7 @@
 pub mod family;
 pub mod file_cache;
 pub mod for_others;
+pub mod imports;
 pub mod manifest;
 pub mod pass_name;
 pub mod passes;

@@ -1,6 +1,7 @@
 //! The words of a repository: whether another of its files contains a name.
 
 use super::for_others::NamesForOthers;
+use super::imports::imported_shaders;
 use super::words::{GLSL, hash, is_glsl, words};
 use crate::files::{FileType, Files};
 use rustc_hash::FxHashMap;
@@ -71,6 +72,8 @@ pub struct RepositoryWords {
     /// Whether a program puts declarations together from parts.
     writes_declarations: bool,
     files: FxHashMap<PathBuf, u32>,
+    /// By shader file: the scripts that import it.
+    importers: FxHashMap<PathBuf, Vec<PathBuf>>,
     /// Whether all code was read.
     pub is_all: bool,
     /// Whether a program may write `#version` before shaders: it contains `#version`, or passes
@@ -104,7 +107,7 @@ impl RepositoryWords {
                     .any(|all| all.contains(&extension.as_str()));
                 let path = folder.join(name);
                 if is_code && !name.contains(".min.") {
-                    bytes += found.read(path, &mut programs, files);
+                    bytes += found.read((path, root), &mut programs, files);
                 } else if !is_code
                     && !is_passed_over(name, has_source)
                     && files.entry(&path) == Some(FileType::Folder)
@@ -118,7 +121,12 @@ impl RepositoryWords {
     }
 
     /// Reads a file and returns its length in bytes.
-    fn read(&mut self, path: PathBuf, programs: &mut Programs, files: &dyn Files) -> usize {
+    fn read(
+        &mut self,
+        (path, root): (PathBuf, &Path),
+        programs: &mut Programs,
+        files: &dyn Files,
+    ) -> usize {
         let Ok(text) = files.load(&path) else {
             return 0;
         };
@@ -127,6 +135,9 @@ impl RepositoryWords {
             programs.any = true;
             programs.hand_over |= text.contains(".shaderSource(");
             programs.hold_version |= text.contains("#version 300");
+            for shader in imported_shaders(&text, &path, root) {
+                self.importers.entry(shader).or_default().push(path.clone());
+            }
         }
         let number = self.files.len() as u32;
         words(&text).for_each(|word| self.words.add(word, number));
@@ -138,6 +149,11 @@ impl RepositoryWords {
         self.writes_declarations |= found.writes_declarations;
         self.files.insert(path, number);
         text.len()
+    }
+
+    /// The scripts that import a shader file, in the order in which they were read.
+    pub fn importers(&self, file: &Path) -> &[PathBuf] {
+        self.importers.get(file).map_or(&[], Vec::as_slice)
     }
 
     /// Whether a word appears in a file other than this one.

@@ -4,6 +4,7 @@ use shaderlint_syntax::{
     ConditionalDirective, ConditionalGroups, Lexer, MacroTestKind, RawKind, TokenKind, raw_items,
     tokenize,
 };
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Maximum number of restarts after a path that contains comment delimiters.
@@ -101,6 +102,29 @@ pub fn scan(text: &str) -> Scan {
     };
     scanner.run();
     scanner.found
+}
+
+/// A directive for a chunk of the host.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct IncludedChunk {
+    /// The range of the directive.
+    pub range: Range<usize>,
+    /// The name of the chunk.
+    pub name: String,
+}
+
+/// The chunks of its host that a text includes.
+pub fn chunks_in(text: &str) -> Vec<IncludedChunk> {
+    if !text.contains("include") {
+        return Vec::new();
+    }
+    let all = scan(text).directives.into_iter();
+    let all = all.filter(|d| d.requested.manner == Manner::Chunk);
+    all.map(|d| IncludedChunk {
+        range: d.start..d.end,
+        name: d.requested.path,
+    })
+    .collect()
 }
 
 /// A branch of an `#if` group.

@@ -17,7 +17,7 @@ use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, Requested
 use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_host::is_provided;
+use shaderlint_host::{is_chunk as is_chunk_of_host, is_provided};
 use shaderlint_text::path::{slashed, tidy};
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
@@ -158,6 +158,8 @@ struct Spreader<'r, 'w> {
     budget: usize,
     /// Whether directives for chunks of the host stay in the text.
     keeps_chunks: bool,
+    /// Whether the directive stays in the text, which the host expands.
+    is_left: bool,
 }
 
 /// A file on the stack.
@@ -217,6 +219,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
             is_in_package: is_of_package(Path::new(name)),
             budget: MAX_INCLUDES,
             keeps_chunks: false,
+            is_left: false,
         }
     }
 
@@ -302,7 +305,8 @@ impl<'r, 'w> Spreader<'r, 'w> {
             let missing = self.found.is_open;
             self.found.is_open = false;
             self.directive(&from, &directive, span)?;
-            if let (true, true, Some(last)) = (stays, self.found.is_open, self.open.last_mut()) {
+            let stays = stays && self.found.is_open || std::mem::take(&mut self.is_left);
+            if let (true, Some(last)) = (stays, self.open.last_mut()) {
                 last.done = directive.start;
             }
             self.found.is_open |= missing;
@@ -324,11 +328,17 @@ impl<'r, 'w> Spreader<'r, 'w> {
         }
         let found = match self.find(from, requested) {
             Ok(found) => found,
+            Err(_) if requested.manner == Manner::Chunk && is_chunk_of_host(&requested.path) => {
+                (self.is_left, self.found.is_open) = (true, self.keeps_chunks);
+                return Some(());
+            }
             Err(_) if is_chunk => {
                 self.found.is_open = true;
                 return Some(());
             }
             Err(absent) => {
+                // The host may have no chunk with that name.
+                self.is_left = requested.manner == Manner::Chunk;
                 self.miss(span, &requested.path, absent);
                 return Some(());
             }

@@ -4,7 +4,7 @@ use super::find::FoundFile;
 use crate::access::FileAccess;
 use crate::files::FileType;
 use shaderlint_detect::embed::{
-    DocumentLanguage, ImportedTexts, InsertedText, ModuleFile, ParsedScript,
+    DocumentLanguage, ImportedTexts, InsertedPart, ModuleFile, ParsedScript,
 };
 use shaderlint_detect::kind::file_extension;
 use shaderlint_text::path::tidy;
@@ -96,7 +96,7 @@ fn candidates(base: &Path) -> Vec<PathBuf> {
 }
 
 impl ImportedTexts for ScriptModules<'_> {
-    fn text(&self, path: &str, name: &str) -> Option<InsertedText> {
+    fn text(&self, path: &str, name: &str) -> Option<InsertedPart> {
         if self.depth >= MAX_DEPTH {
             return None;
         }
@@ -114,7 +114,7 @@ impl ImportedTexts for ScriptModules<'_> {
                     },
                 )?
             }
-            None if name == "default" || name == "*" => InsertedText::whole(&module.file.text),
+            None if name == "default" || name == "*" => InsertedPart::whole(&module.file.text),
             None => return None,
         };
         text.is_of(&module.file);

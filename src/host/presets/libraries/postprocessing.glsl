@@ -19,6 +19,7 @@
 // source: postprocessing 6.39.6, build/index.js (effect.frag, effect.vert, EffectPass); three 0.187.0, src/renderers/webgl/WebGLProgram.js, ShaderChunk/common.glsl.js, packing.glsl.js
 // package: postprocessing @react-three/postprocessing
 // word: inputBuffer getViewZ readDepth packFloatToRGBA unpackRGBAToFloat
+// complete: Effect
 // renames: yes
 // entry: mainImage mainUv mainSupport
 #define THREE_REVISION 187

@@ -27,11 +27,12 @@
 // global: THREE
 // complete: ShaderMaterial shaderMaterial
 // patched: onBeforeCompile
-// also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
+// also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* mapTexelToLinear envMapTexelToLinear matcapTexelToLinear emissiveMapTexelToLinear lightMapTexelToLinear toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
 // version: 300 es
 // names: some
 // entry: main
 // include: <...>
+// chunks: three.js
 precision highp float;
 precision highp int;
 precision highp sampler2D;
