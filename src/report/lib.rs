@@ -81,8 +81,10 @@ enum ReportEnd {
     None,
     /// The number of findings, if there are any.
     Counts,
-    /// What was checked and found, and where rules did not run.
+    /// What was checked and found.
     All,
+    /// Also where rules did not run.
+    Details,
 }
 
 /// Writes findings in one format.
@@ -127,10 +129,13 @@ impl<W: Write> Reporter<W> {
         self
     }
 
-    /// Prints at the end what was checked, where rules did not run, and how many findings can be
-    /// fixed.
-    pub fn summing_up(mut self) -> Reporter<W> {
-        self.end = ReportEnd::All;
+    /// Prints at the end what was checked and how many findings can be fixed, with `details` also where rules
+    /// did not run.
+    pub fn summing_up(mut self, details: bool) -> Reporter<W> {
+        self.end = match details {
+            true => ReportEnd::Details,
+            false => ReportEnd::All,
+        };
         self
     }
 
@@ -283,10 +288,18 @@ impl<W: Write> Reporter<W> {
                 let files = count(summary.files, "file");
                 vec![format!("Found {} in {files}", summary.counts())]
             }
-            ReportEnd::All => summary.lines(match self.format {
-                Format::Tool => &OptionNames::TOOL,
-                _ => &OptionNames::COMMAND,
-            }),
+            end => {
+                let options = match self.format {
+                    Format::Tool => &OptionNames::TOOL,
+                    _ => &OptionNames::COMMAND,
+                };
+                let mut lines = summary.lines(options);
+                match end {
+                    ReportEnd::Details => lines.extend(summary.skipped()),
+                    _ => lines.extend(summary.unchecked()),
+                }
+                lines
+            }
         };
         for line in lines {
             writeln!(self.out, "{}", clean(&line))?;
@@ -314,7 +327,7 @@ impl<W: Write> Reporter<W> {
             Format::Json => json::end(&mut self.out, &self.summary)?,
             Format::Human => self.sum_up()?,
             Format::Agent | Format::Tool => {
-                self.end = ReportEnd::All;
+                self.end = ReportEnd::Details;
                 self.sum_up()?;
             }
             Format::Sarif => {

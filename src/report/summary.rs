@@ -273,12 +273,34 @@ impl Summary {
                 rules.join(", ")
             ));
         }
-        lines.extend(self.skipped());
         lines
     }
 
+    /// The line about what rules skipped, with what helps.
+    pub fn unchecked(&self) -> Option<String> {
+        let functions = self.skipped_functions.len() + self.open_functions.len();
+        let all = [
+            (functions, "function"),
+            (self.skipped_shaders, "shader"),
+            (self.excerpts, "excerpt"),
+        ];
+        let all = all.iter().filter(|(n, _)| *n > 0);
+        let all: Vec<String> = all.map(|(n, one)| count(*n, one)).collect();
+        let all = match (all.is_empty(), self.open_names.len()) {
+            (true, 0) => return None,
+            (true, names) => format!("{} of a host", count(names, "name")),
+            _ => all.join(", "),
+        };
+        let is_open = self.parts > 0 || !self.open_functions.is_empty();
+        let host = match is_open {
+            true => "; set `[host]` in shaderlint.toml to check more",
+            false => "",
+        };
+        Some(format!("Not fully checked: {all} (-v lists them){host}"))
+    }
+
     /// The lines about functions and shaders that rules skipped.
-    fn skipped(&self) -> Vec<String> {
+    pub fn skipped(&self) -> Vec<String> {
         let mut lines = Vec::new();
         let name = |(function, file): &(String, String)| match self.files {
             1 => format!("`{function}`"),

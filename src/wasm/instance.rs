@@ -109,7 +109,7 @@ fn check(CheckParams { input, format }: CheckParams) -> RequestResult {
 /// The reporter as the command line sets it up.
 fn reporter<W: io::Write>(format: Format, out: W) -> Reporter<W> {
     let reporter = Reporter::new(format, out, false);
-    reporter.with_pages(rule_page).summing_up()
+    reporter.with_pages(rule_page).summing_up(false)
 }
 
 /// `fix`: the fixed text, and the number of fixed findings.

@@ -274,7 +274,7 @@ float late(vec2 p) { float k; return p.x + k; }
     let found = out.iter().filter(|l| l.contains("uninitialized-read"));
     let found: Vec<&str> = found.filter_map(|l| l.get(..l.find(": ")?)).collect();
     assert_eq!(found, ["a.glsl:8:45"], "{}", ran.out);
-    let ran = scratch.run(&["a.glsl"]);
+    let ran = scratch.run(&["-v", "a.glsl"]);
     let skipped = "Rules skipped 5 functions with errors or unknown names: `soft`, `split`, `calls`, `macro`, `open`\n";
     assert!(ran.out.contains(skipped), "{}", ran.out);
     // Without anything of a host, all is checked.

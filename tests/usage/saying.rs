@@ -21,7 +21,7 @@ fn every_run_prints_a_summary() {
     assert!(
         out(&[]).ends_with(
             "\nFound 2 errors, 1 warning (2 shaders in 2 of 3 files); 2 fixable with --fix; 1 more info: --info\n\
-         Rules skipped 2 functions with errors: `halfOf` in a.glsl, `mainImage` in a.glsl\n"
+         Not fully checked: 2 functions (-v lists them)\n"
         ),
         "{}",
         out(&[])
@@ -83,12 +83,15 @@ void mainImage(out vec4 c, in vec2 p) {
             "3:52 pow-negative-base",
         ]
     );
-    let ran = scratch.run(&["a.glsl"]);
+    let ran = scratch.run(&["-v", "a.glsl"]);
     let last = ran.out.lines().last().unwrap();
     assert_eq!(last, "Rules skipped 1 function with errors: `mainImage`");
+    let ran = scratch.run(&["a.glsl"]);
+    let last = ran.out.lines().last().unwrap();
+    assert_eq!(last, "Not fully checked: 1 function (-v lists them)");
     // An error outside all functions disables all rules.
     scratch.write("a.glsl", format!("{code}}}\n"));
-    let ran = scratch.run(&["a.glsl"]);
+    let ran = scratch.run(&["-v", "a.glsl"]);
     let last = ran.out.lines().last().unwrap();
     assert_eq!(last, "Rules skipped 1 shader with errors outside functions");
 }

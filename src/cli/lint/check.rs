@@ -135,7 +135,7 @@ fn reporter(format: Format, prints_text: bool) -> Reporter<BufWriter<Box<dyn Wri
         .inside(&here);
     match given().talk() {
         Talk::Nothing | Talk::Findings => reporter.without_summary(),
-        Talk::Normal | Talk::Verbose => reporter.summing_up(),
+        Talk::Normal | Talk::Verbose => reporter.summing_up(given().talk() == Talk::Verbose),
     }
 }
 
