@@ -136,18 +136,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::finds;
-
-    #[test]
-    fn call_errors_are_found() {
-        let table = r"
-            void f(); void main() { f(); } => Undefined
-            void f() { f(); } void main() {} => Recursion
-            void g(); void f() { g(); } void g() { f(); } void main() {} => Recursion
-        ";
-        finds(include_str!("calls.rs"), "CallError", table);
-    }
-}

@@ -160,20 +160,3 @@ impl Checker<'_> {
         found.unwrap_or(Type::ERROR)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::finds;
-
-    #[test]
-    fn names_of_other_languages_are_found() {
-        let table = r"
-            void main() { string s; } => Absent
-            void main() { float3 v; } => Type
-            Texture2D t; void main() {} => Uniform
-            void main() { var x = 1.0; } => Inferred
-            void main() { float x = lerp(1.0, 2.0, 0.5); } => Call
-        ";
-        finds(include_str!("foreign.rs"), "ForeignError", table);
-    }
-}

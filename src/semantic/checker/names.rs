@@ -245,24 +245,3 @@ impl Checker<'_> {
         );
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::finds;
-
-    #[test]
-    fn name_errors_are_found() {
-        let table = r"
-            float gl_f; => Reserved
-            float a__b; => Reserved
-            float f; int f; => Twice
-            float f; void f() {} => Twice
-            void f() {} void main() { float x = f; } => NotAVariable
-            void main() { float x = y; } => Undeclared
-            void main() { typo x; } => UnknownType
-            uniform sampler2D s; void main() { vec4 x = texture2D(s, vec2(0.0)); } => LegacyFunction
-            void main() { float x = g(1.0); } => UndeclaredFunction
-        ";
-        finds(include_str!("names.rs"), "NameError", table);
-    }
-}

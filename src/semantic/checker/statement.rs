@@ -426,24 +426,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::finds;
-
-    #[test]
-    fn statement_errors_are_found() {
-        let table = r"
-            void main() { break; } => Break
-            void main() { continue; } => Continue
-            vertex: void main() { discard; } => Discard
-            void main() { while (int i = 1) {} } => Condition
-            void main() { if (1) {} } => NoCondition
-            float f() { return; } => Return
-            void f() { return 1.0; } => Return
-            void main() { while (true) {} } => Endless
-            void main() { bool b = true; while (b) {} } => Endless
-        ";
-        finds(include_str!("statement.rs"), "StatementError", table);
-    }
-}

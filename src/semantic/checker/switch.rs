@@ -175,24 +175,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::finds;
-
-    #[test]
-    fn switch_errors_are_found() {
-        let table = [
-            "switch (1.0) {} => Selector",
-            "switch (1) { case 1.0: break; } => Label",
-            "int i; switch (1) { case i: break; } => NotConstant",
-            "switch (1) { case 1u: break; } => LabelType",
-            "default: break; => Outside",
-            "switch (1) { case 1: case 1: break; } => Twice",
-            "switch (1) { case 1: } => NothingBehind",
-            "switch (1) { discard; case 1: break; } => BeforeLabels",
-        ];
-        let table = table.map(|row| format!("void main() {{ {}", row.replace(" =>", " } =>")));
-        finds(include_str!("switch.rs"), "SwitchError", &table.join("\n"));
-    }
-}

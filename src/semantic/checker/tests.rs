@@ -1,9 +1,45 @@
-//! Tables of code and the first problem that is found in it. The tests of `explain` read these tables
-//! too: each of the problems has a message.
+//! Tables of code and the first problem that is found in it. The tests of `explain` read
+//! `problems.txt` too: each of its problems has a message.
 
 use super::*;
 use crate::Pass;
 use shaderlint_syntax::{ParseOptions, Search, parse, preprocess};
+
+/// The enums of problems, and the files that define them.
+const SOURCES: [(&str, &str); 19] = [
+    ("CallError", include_str!("calls.rs")),
+    ("ArrayError", include_str!("declarations/array.rs")),
+    ("DeclarationError", include_str!("declarations/declare.rs")),
+    ("EntryError", include_str!("declarations/entry.rs")),
+    ("FunctionError", include_str!("declarations/function.rs")),
+    ("InterfaceError", include_str!("declarations/interface.rs")),
+    ("LayoutError", include_str!("declarations/layout.rs")),
+    ("OutputError", include_str!("declarations/output.rs")),
+    ("QualifierError", include_str!("declarations/qualifier.rs")),
+    ("RecordError", include_str!("declarations/record.rs")),
+    ("ValueError", include_str!("expressions/assign.rs")),
+    ("ArgumentError", include_str!("expressions/call.rs")),
+    ("ExpressionError", include_str!("expressions/expression.rs")),
+    ("PlaceError", include_str!("expressions/place.rs")),
+    ("ForeignError", include_str!("foreign.rs")),
+    ("NameError", include_str!("names.rs")),
+    ("StatementError", include_str!("statement.rs")),
+    ("SwitchError", include_str!("switch.rs")),
+    ("Restriction", include_str!("webgl1.rs")),
+];
+
+#[test]
+fn every_problem_is_found() {
+    let tables = include_str!("problems.txt").split("# ").skip(1);
+    let mut sources = SOURCES.into_iter();
+    for table in tables {
+        let (name, rows) = table.split_once('\n').unwrap();
+        let (of, source) = sources.next().expect(name);
+        assert_eq!(of, name);
+        finds(source, name, rows);
+    }
+    assert_eq!(sources.next(), None);
+}
 
 /// Checks a table of lines `code => first problem`, and that each variant of the enum `name` in
 /// `source` is found.

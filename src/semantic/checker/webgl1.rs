@@ -188,29 +188,3 @@ impl Checker<'_> {
             })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::tests::finds;
-
-    #[test]
-    fn webgl1_restrictions_are_checked() {
-        let table = [
-            "while (true) break; => Loop",
-            "int i = 0; for (i = 0; i < 3; i++) {} => NoIndex",
-            "for (int i = 0, j = 0; i < 3; i++) {} => Indices",
-            "for (bool b = true; b == true; b = b) {} => IndexType",
-            "for (int i = n; i < 3; i++) {} => Start",
-            "for (int i = 0; ; i++) break; => NoCondition",
-            "for (int i = 0; n < 3; i++) {} => Condition",
-            "for (int i = 0; i < n; i++) {} => End",
-            "for (int i = 0; i < 3; i += n) {} => Step",
-            "for (int i = 0; i < 3; i++) i = 2; => IndexWritten",
-            "float f = a[n]; => Subscript",
-            "gl_FragData[n] = vec4(1.0); => FragData",
-        ];
-        let head = "fragment 100: uniform int n; uniform float a[4]; void main() {";
-        let table = table.map(|row| format!("{head} {}", row.replace(" =>", " } =>")));
-        finds(include_str!("webgl1.rs"), "Restriction", &table.join("\n"));
-    }
-}

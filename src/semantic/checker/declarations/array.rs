@@ -105,30 +105,3 @@ impl Checker<'_> {
         Some(1)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn array_errors_are_found() {
-        let table = r"
-            struct S { float f[]; }; => NoSize
-            float f[]; => NoSizeNorValue
-            fragment 100: float f[]; => NoSizeYet
-            fragment 100: uniform float[2] f; => BehindType
-            float f[2][2]; => OfArrays
-            struct S { float f; }; in S s[2]; => OfPassedStructs
-            vertex 100: attribute float f[2]; => Attribute
-            vertex: in float f[2]; => Input
-            fragment 100: const float f[2]; => Constant
-            fragment 100: void main() { float g[2]; float f[2] = g; } => Value
-            fragment 100: void main() { float[2](1.0, 2.0); } => Constructor
-            float f[1.0]; => SizeType
-            uniform int n; float f[n]; => SizeNotConstant
-            float f[-1]; => NegativeSize
-            float f[0]; => ZeroSize
-        ";
-        finds(include_str!("array.rs"), "ArrayError", table);
-    }
-}

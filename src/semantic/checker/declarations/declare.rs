@@ -335,19 +335,3 @@ impl<'a> Checker<'a> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn declaration_errors_are_found() {
-        let table = r"
-            void v; => Void
-            sampler2D s; => Sampler
-            const float f; => NoValue
-            uniform float f = 1.0; => Value
-        ";
-        finds(include_str!("declare.rs"), "DeclarationError", table);
-    }
-}

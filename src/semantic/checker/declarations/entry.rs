@@ -134,21 +134,3 @@ impl Checker<'_> {
         self.reject(decl.header, problem);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn entry_function_errors_are_found() {
-        let table = r"
-            void f() {} => Missing
-            image: void f() {} => MissingCalled
-            void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); } => Unwrapped
-            image: void mainImage(vec2 p, out vec4 c) {} => Signature
-            void main(int i) {} => MainParameters
-            int main() { return 1; } => MainReturns
-        ";
-        finds(include_str!("entry.rs"), "EntryError", table);
-    }
-}

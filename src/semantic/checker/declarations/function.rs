@@ -417,30 +417,3 @@ fn signature(name: Name, types: impl Iterator<Item = Type>) -> u64 {
     types.for_each(|ty| ty.hash(&mut hasher));
     hasher.finish()
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn function_errors_are_found() {
-        let table = r"
-            void main() { void f(); } => Local
-            fragment 100: void f(); void f(); => PrototypeTwice
-            void f() {} void f() {} => DefinedTwice
-            float f() {} => NoReturn
-            void f(void v) {} => VoidParameter
-            void f(struct S { float f; } s) {} => StructParameter
-            void f(float a[]) {} => UnsizedParameter
-            void f(out sampler2D s) {} => OutSampler
-            sampler2D f(); => ReturnsSampler
-            float[] f() { return float[](1.0); } => ReturnsUnsized
-            fragment 100: float[2] f(); => ReturnsArray
-            fragment 100: struct S { float a[2]; }; S f(); => ReturnsArrayInside
-            float sin(float x) { return x; } => Builtin
-            float f(); void f() {} => ReturnType
-            void f(out float x); void f(float x) {} => Directions
-        ";
-        finds(include_str!("function.rs"), "FunctionError", table);
-    }
-}

@@ -115,25 +115,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn interface_errors_are_found() {
-        let table = r"
-            vertex 100: attribute int i; => Type
-            in bool b; => Bool
-            vertex: struct S { float f; }; in S s; => Struct
-            vertex: in float[2] f; => InputArray
-            out mat2 m; => OutputMatrix
-            in int i; => NotFlat
-            struct S { float f; }; in S[2] s; => ArrayOfStructs
-            struct S { float f[2]; }; in S s; => ArrayInside
-            struct S { float f; }; struct T { S s; }; in T t; => StructInside
-            struct S { bool b; }; in S s; => BoolInside
-        ";
-        finds(include_str!("interface.rs"), "InterfaceError", table);
-    }
-}

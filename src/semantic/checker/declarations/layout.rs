@@ -124,27 +124,3 @@ impl Checker<'_> {
         self.reject(extent, problem);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn layout_errors_are_found() {
-        let table = r"
-            layout(shared) uniform; => NotInWebgl
-            layout(location) out vec4 c; => NoNumber
-            layout(a) uniform; => Unknown
-            layout(binding = 1) uniform; => UnknownNumber
-            vertex: layout(location = 4294967295u) in vec4 p; => Negative
-            vertex: layout(std140) in vec4 p; => OfBlock
-            layout(location = 0) in vec4 p; => NoLocationHere
-            layout(location = 0, location = 0) out vec4 c; => Twice
-            vertex: layout(location = 16) in vec4 p; => OutOfRange
-            vertex: layout(location = 1) in vec4 p, q; => Shared
-            uniform; => OfNothing
-            vertex: layout(std140) in; => NotUniform
-        ";
-        finds(include_str!("layout.rs"), "LayoutError", table);
-    }
-}

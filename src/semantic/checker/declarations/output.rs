@@ -105,20 +105,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn output_errors_are_found() {
-        let table = r"
-            layout(location = 8) out vec4 c; void main() {} => Outside
-            layout(location = 0) out vec4 c; layout(location = 0) out vec4 d; void main() {} => Shared
-            image: out vec4 c; void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0); } => NextToHostOutputs
-            out vec4 c; layout(location = 1) out vec4 d; void main() {} => NoLocation
-            fragment 100: void main() { gl_FragColor = vec4(0.0); gl_FragData[0] = vec4(0.0); } => ColorAndData
-        ";
-        finds(include_str!("output.rs"), "OutputError", table);
-    }
-}

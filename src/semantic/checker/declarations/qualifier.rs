@@ -476,35 +476,3 @@ fn sequence(all: &[Qualifier]) -> Result<(), (Extent, QualifierError)> {
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn qualifier_errors_are_found() {
-        let table = r"
-            void main() { uniform float f; } => Local
-            void main() { invariant float f; } => NotGlobal
-            fragment 100: in float f; => Later
-            inout float f; => NoParameter
-            fragment 100: attribute float f; => NoAttribute
-            in uniform float f; => Together
-            in in float f; => Twice
-            invariant layout(location = 0) out vec4 c; => InvariantLayout
-            in flat int i; => Order
-            void f(uniform float f) {} => Parameter
-            uniform float f() { return 1.0; } => Returned
-            flat int i; => Alone
-            invariant in float f; => Invariant
-            uniform float f; invariant f; => InvariantVariable
-            vertex: out float f; invariant highp f; => Afterwards
-            invariant f; => Undeclared
-            uniform f; => Incomplete
-            highp bool b; => NoPrecision
-            uniform sampler3D s; => MissingPrecision
-            precision highp vec2; => DefaultPrecision
-        ";
-        finds(include_str!("qualifier.rs"), "QualifierError", table);
-    }
-}

@@ -296,27 +296,3 @@ impl Checker<'_> {
         self.reject(header, problem);
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn struct_errors_are_found() {
-        let table = r"
-            struct S {}; => Empty
-            struct S { struct T { float f; } t; }; => Inside
-            struct S { void f; }; => VoidMember
-            struct S { float f, f; }; => MemberTwice
-            struct S { uniform float f; }; => MemberQualifier
-            uniform B { sampler2D s; }; => SamplerInBlock
-            fragment 100: uniform B { float f; }; => BlockLater
-            in B { float f; }; => BlockStorage
-            invariant uniform B { float f; }; => BlockInvariant
-            layout(location = 0) uniform B { float f; }; => BlockLocation
-            uniform B { float f; } b[]; => BlocksUnsized
-            uniform B { float f; } b; void main() { b; } => BlockAlone
-        ";
-        finds(include_str!("record.rs"), "RecordError", table);
-    }
-}

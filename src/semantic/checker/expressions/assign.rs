@@ -184,18 +184,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn assignment_errors_are_found() {
-        let table = r"
-            void main() { float f = 1; } => Initializer
-            void main() { float v = vec2(1.0); v.x = 2.0; v.y = 2.0; } => Retyped
-            uniform float u; const float f = u; => NotConstant
-        ";
-        finds(include_str!("assign.rs"), "ValueError", table);
-    }
-}

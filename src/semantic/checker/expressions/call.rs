@@ -241,20 +241,3 @@ impl Checker<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn argument_errors_are_found() {
-        let table = r"
-            void main() { float f = 1.0; f = f(1.0); } => Variable
-            float f(float x) { return x; } void main() { float y = f(true); } => User
-            void main() { float y = sin(true); } => Builtin
-            uniform sampler2D s; uniform ivec2 i; void main() { vec4 c = textureOffset(s, vec2(0.0), i); } => DynamicOffset
-            uniform sampler2D s; void main() { vec4 c = textureOffset(s, vec2(0.0), ivec2(9)); } => Offset
-        ";
-        finds(include_str!("call.rs"), "ArgumentError", table);
-    }
-}

@@ -403,23 +403,3 @@ impl Checker<'_> {
         self.reject_expr(id, ExpressionError::DynamicIndex(id, what));
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn expression_errors_are_found() {
-        let table = r"
-            void main() { float f = 1.0 + true; } => Misfit
-            fragment 100: void main() { gl_FragColor = vec4(1u); } => Unsigned
-            fragment 100: void main() { gl_FragColor = vec4(1.0f); } => Suffix
-            fragment 100: void main() { int i = 3 & 1; } => Later
-            void main() { vec2 v; float f = v.size(); } => Method
-            struct S { sampler2D s; float f; }; uniform S a, b; void main() { float f = (a, b).f; } => MemberBehindComma
-            void main() { vec2 v; float f = v[2]; } => IndexRange
-            uniform sampler2D s[2]; uniform int i; void main() { vec4 c = texture(s[i], vec2(0.0)); } => DynamicIndex
-        ";
-        finds(include_str!("expression.rs"), "ExpressionError", table);
-    }
-}

@@ -113,23 +113,3 @@ impl Checker<'_> {
         false
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::checker::tests::finds;
-
-    #[test]
-    fn assignment_target_errors_are_found() {
-        let table = r"
-            void main() { 1.0 = 2.0; } => NoPlace
-            void main() { vec2 v; v.xx = v; } => Repeats
-            const float f = 1.0; void main() { f = 2.0; } => Constant
-            uniform float f; void main() { f = 2.0; } => Uniform
-            in float f; void main() { f++; } => Input
-            void f(const float f) { f += 2.0; } => ConstParameter
-            void f(sampler2D s) { s = s; } => Sampler
-            struct S { sampler2D s; float f; }; void f(S s) { s.f = 1.0; } => SamplerInside
-        ";
-        finds(include_str!("place.rs"), "PlaceError", table);
-    }
-}
