@@ -302,7 +302,7 @@ mod tests {
     use crate::calls::Calls;
     use crate::ranges::Ranges;
     use crate::reaching_definitions::ReachingDefinitions;
-    use crate::test_shader::checked;
+    use crate::test_shader::{cases, checked};
     use shaderlint_ir::lower;
 
     /// Checks the uses of the first `mod` in a shader, in a function `f` of `x`.
@@ -337,37 +337,9 @@ mod tests {
     }
 
     #[test]
-    fn sums_and_multiples_are_angles() {
-        check("return sin(mod(x, 6.3));", "sin 1");
-        check(
-            "float m = mod(x, 6.3) + x; return cos(2.0 * m) + tan(m / 2.0) - sin(1.0 - m);",
-            "cos 2, tan 0.5, sin -1",
-        );
-        check("g = mod(x, 6.3); return wave(g + g);", "sin 2");
-        check("return cos(half_of(mod(x, 6.3)));", "cos 0.5");
-        check(
-            "vec2 v = vec2(mod(x, 6.3), 1.0) * 3.0; return sin(v).x + sin(v.yx).y;",
-            "sin 3, sin 3",
-        );
-    }
-
-    #[test]
-    fn other_uses_of_an_angle_are_found() {
-        for body in [
-            "return mod(x, 6.3);",
-            "float m = mod(x, 6.3); return sin(m) + m;",
-            "float m = mod(x, 6.3); return m > 3.0 ? sin(m) : 0.0;",
-            "float m = mod(x, 6.3); if (x > 1.0) m = x; return sin(m);",
-            "float m = mod(x, 6.3); return sin(m * x);",
-            "float m = mod(x, 6.3); return sin(m * m);",
-            "float a[2]; a[0] = mod(x, 6.3); return sin(a[0]);",
-            "float m = mod(x, 6.3), t = 0.0; for (int i = 0; i < 3; i++) t += m; return sin(t);",
-            "float m = mod(x, 6.3); return sin(m) + float(int(m));",
-            "float m = mod(x, 6.3); for (int i = 0; i < int(m); i++) x += sin(m); return x;",
-            "return wave(mod(x, 6.3)) + wave(x);",
-            "return sin(floor(mod(x, 6.3)));",
-        ] {
-            check(body, "other");
+    fn uses_of_angles_are_found() {
+        for (body, expected) in cases(include_str!("angles.txt")) {
+            check(body, expected);
         }
     }
 }

@@ -233,7 +233,7 @@ fn computed(operator: Binary, a: f64, b: f64, is_integer: bool) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::test_shader::checked;
+    use super::super::test_shader::{cases, checked};
     use super::*;
 
     /// The columns of `iChannel0` that a shader reads.
@@ -250,51 +250,10 @@ mod tests {
     }
 
     #[test]
-    fn columns_follow_the_arguments_of_each_call() {
-        let code = "
-            bool pressed(int key) { return texelFetch(iChannel0, ivec2(key, 0), 0).x > 0.5; }
-            float side() { return float(pressed(39)) - float(pressed(37)); }
-            float unused() { return float(pressed(1)); }
-            void mainImage(out vec4 c, in vec2 p) { c = vec4(side() + float(pressed(37 + 1))); }";
-        assert_eq!(read(code), (vec![37, 38, 39], false));
-    }
-
-    #[test]
-    fn normalized_coordinates_become_columns() {
-        let code = "
-            const float LEFT = 37.5 / 256.0;
-            float key(float x) { return texture(iChannel0, vec2(x, 0.25)).x; }
-            void mainImage(out vec4 c, in vec2 p) { c = vec4(key(LEFT), key((32.0 + 0.5) / 256.0), 0, 0); }";
-        assert_eq!(read(code), (vec![32, 37], false));
-    }
-
-    #[test]
-    fn columns_follow_samplers_passed_as_parameters() {
-        let code = "
-            float key(sampler2D keys, int x) { return texelFetch(keys, ivec2(x, 0), 0).x; }
-            void mainImage(out vec4 c, in vec2 p) { c = vec4(key(iChannel0, 65), key(iChannel1, 66), 0, 0); }";
-        assert_eq!(read(code).0, [65]);
-    }
-
-    #[test]
-    fn columns_follow_conditionals_and_globals() {
-        let code = "
-            int jump = 32;
-            void mainImage(out vec4 c, in vec2 p) {
-                int key = p.x > 9.0 ? 65 : 68;
-                c = texelFetch(iChannel0, ivec2(key, 0), 0) + texelFetch(iChannel0, ivec2(jump, 2), 0);
-            }";
-        assert_eq!(read(code), (vec![32, 65, 68], false));
-    }
-
-    #[test]
-    fn columns_that_are_not_constant_are_unknown() {
-        let code = "
-            void mainImage(out vec4 c, in vec2 p) {
-                c = texture(iChannel0, p / 256.0);
-                for (int i = 48; i < 58; i++) c += texelFetch(iChannel0, ivec2(i, 0), 0);
-                c += texelFetch(iChannel0, ivec2(13, 0), 0);
-            }";
-        assert_eq!(read(code), (vec![13], true));
+    fn read_columns_are_found() {
+        for (code, expected) in cases(include_str!("columns.txt")) {
+            let (columns, reads_others) = read(code);
+            assert_eq!(format!("{columns:?} {reads_others}"), expected, "{code}");
+        }
     }
 }
