@@ -54,119 +54,28 @@ fn unclosed_initializer_lists_have_no_fix() {
     }
 }
 
-/// Applies the only fix of each shader: `before => after`, or `None` if there is no fix.
+/// Applies the first fix of each shader: `before ⇒ after`, or `none` if there is no fix. After `only:`
+/// the shader has one finding.
 #[test]
 fn fixes_make_complete_shaders_valid() {
     const VERSION: &str = "#version 300 es\nprecision highp float;\n";
-    let table = [
-        (
-            "#define G(x) uvec4(x)\nout vec4 a;\nvoid main() { a = vec4(G(3).r / 2.0); }",
-            Some(
-                "#define G(x) uvec4(x)\nout vec4 a;\nvoid main() { a = vec4(float(G(3).r) / 2.0); }",
-            ),
-        ),
-        (
-            "#define G 1u + uvec4(3)\nout vec4 a;\nvoid main() { a = G.r / vec4(2); }",
-            None,
-        ),
-        (
-            "out vec4 a[2];\nvoid main() { gl_FragData[1] = vec4(1); a[0] = vec4(1); }",
-            Some("out vec4 a[2];\nvoid main() { a[1] = vec4(1); a[0] = vec4(1); }"),
-        ),
-        (
-            "layout(location = 1) out vec4 b;\nlayout(location = 0) out vec4 a;\n\
-             void main() { gl_FragData[1] = vec4(1); a = vec4(1); }",
-            Some(
-                "layout(location = 1) out vec4 b;\nlayout(location = 0) out vec4 a;\n\
-                 void main() { b = vec4(1); a = vec4(1); }",
-            ),
-        ),
-        (
-            "void main() { gl_FragData[0] = vec4(1); gl_FragData[2] = vec4(0); }",
-            Some(
-                "layout(location = 0) out vec4 fragColor;\n\
-                 layout(location = 2) out vec4 fragColor2;\n\
-                 void main() { fragColor = vec4(1); fragColor2 = vec4(0); }",
-            ),
-        ),
-        (
-            "out vec4 a;\nvoid main() { gl_FragData[2] = vec4(1); a = vec4(0); }",
-            None,
-        ),
-        (
-            "out vec3 a;\nvoid main() { gl_FragColor = vec4(1); a = vec3(0); }",
-            None,
-        ),
-        (
-            "out vec4 a;\nvoid main() { float 2d = 1.; a = vec4(2d); }",
-            Some("out vec4 a;\nvoid main() { float _2d = 1.; a = vec4(_2d); }"),
-        ),
-    ];
-    for (before, expected) in table {
-        let text = format!("{VERSION}{before}");
-        let found = analyze_fragment(&text).diagnostics;
+    let cases = include_str!("shaders.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (before, expected) = case.split_once(" ⇒ ").unwrap();
+        let text = |code: &str| format!("{VERSION}{}", code.replace('↵', "\n"));
+        let only = before.strip_prefix("only: ");
+        let before = text(only.unwrap_or(before));
+        let found = analyze_fragment(&before).diagnostics;
+        assert!(only.is_none() || found.len() == 1, "{case}: {found:?}");
         let fix = found.iter().find_map(|d| d.fix.as_ref());
-        let after = fix.map(|f| apply_edits(&text, 0, &f.edits).unwrap());
-        let expected = expected.map(|e| format!("{VERSION}{e}"));
-        assert_eq!(after, expected, "{before}");
+        let after = fix.map(|f| apply_edits(&before, 0, &f.edits).unwrap());
+        let expected = Some(expected).filter(|e| *e != "none").map(text);
+        assert_eq!(after, expected, "{case}");
         if let Some(after) = after {
             let left = analyze_fragment(&after).diagnostics;
             assert!(left.is_empty(), "{after}: {left:?}");
         }
     }
-}
-
-#[test]
-fn superfluous_code_is_removed() {
-    check("break;", "`break` outside of a loop or `switch` => ;");
-    check(
-        "if (f > 1.) continue;",
-        "`continue` outside of a loop => if (f > 1.) ;",
-    );
-    check(
-        "const float k;",
-        "constant `k` has no initializer => float k;",
-    );
-    check(
-        "highp lowp float k;",
-        "`lowp` repeats a qualifier of the same kind => highp float k;",
-    );
-    check("v = v.xg;", "invalid swizzle `xg` on `vec2` => v = v.xy;");
-    check("v = v.ry;", "invalid swizzle `ry` on `vec2` => v = v.rg;");
-    let all = |text: &str| {
-        let found = analyze_fragment(text);
-        let fix = |d: &shaderlint_diagnostic::Diagnostic| {
-            let fix = d
-                .fix
-                .as_ref()
-                .map(|f| apply_edits(text, 0, &f.edits).unwrap());
-            fix.unwrap_or_default()
-        };
-        found.diagnostics.iter().map(fix).collect::<Vec<_>>()
-    };
-    let declared = |before: &str, after: &str| {
-        let text = |line: &str| {
-            format!("#version 300 es\nprecision highp float;\n{line}\nvoid main() {{}}\n")
-        };
-        assert_eq!(all(&text(before)), [text(after)], "{before}");
-    };
-    declared("uniform float k = 1.0, l;", "uniform float k, l;");
-    declared("uniform vec2 k = vec2(1.0, 2.0);", "uniform vec2 k;");
-    declared("precision highp vec3;", "precision highp float;");
-    declared("precision mediump uvec2;", "precision mediump int;");
-    declared("sampler2D image;", "uniform sampler2D image;");
-    declared(
-        "float f(float x, float k = 2.0) { return x * k; }",
-        "float f(float x, float k) { return x * k; }",
-    );
-    declared(
-        "vec2 f(float x) {\n    float y = x;\n    vec2(x, y);\n}",
-        "vec2 f(float x) {\n    float y = x;\n    return vec2(x, y);\n}",
-    );
-    declared(
-        "layout(loc = 1) out vec4 other;",
-        "layout(location = 1) out vec4 other;",
-    );
 }
 
 /// Every problem in the checker's table of tests has a message of one line without a full stop.

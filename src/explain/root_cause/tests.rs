@@ -57,36 +57,14 @@ fn faulty_directives_are_reported_once_at_their_cause() {
     }
 }
 
+/// Whole shaders without their head, and the places and names of their errors.
 #[test]
-fn one_failing_macro_call_is_reported_at_the_call() {
-    let code = main_with(
-        "#define F(x) max(x, 0.0)",
-        "color = vec4(F(1.0), F(2.0), F(true), 1.0);",
-    );
-    assert_eq!(found(&code).0, ["3:36 argument-mismatch"]);
-    check(
-        &main_with(
-            "#define F(x) (x)",
-            "color = vec4(F(1.0), F(2.0, 3.0), F(3.0), 1.0);",
-        ),
-        "3:26 macro-arguments",
-    );
-}
-
-#[test]
-fn odd_macros_that_the_browser_accepts_are_not_errors() {
-    for (definition, body) in [
-        ("#define A color = vec4(1.0);", "A"),
-        ("#define OPEN vec4(", "color = OPEN 1.0);"),
-        ("#define X * 2.0", "color = vec4(1.0 X);"),
-        ("#define F(a,) a", "color = vec4(F(1.0));"),
-        ("#pragma debug(1)\n#pragma optimize()", ""),
-    ] {
-        assert_eq!(
-            found(&main_with(definition, body)).0,
-            [""; 0],
-            "{definition}"
-        );
+fn errors_of_whole_shaders_are_found() {
+    let cases = include_str!("whole.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (code, expected) = case.split_once(" ⇒ ").unwrap();
+        let reported = found(&code.replace('↵', "\n")).0.join(", ");
+        assert_eq!(reported, expected.replace("none", ""), "{code}");
     }
 }
 
@@ -113,55 +91,15 @@ fn rechecks_of_a_long_text_are_limited_by_a_budget() {
     assert!(!long.is_empty() && long != reported(10), "{long:?}");
 }
 
-/// After a syntax error, names and types of the same statement are not reported.
-#[test]
-fn only_the_first_error_of_a_statement_is_reported() {
-    let errors = |statement: &str| {
-        let shader = main_with(
-            "",
-            &format!("float d = 0.5;\n{statement}\ncolor = vec4(d);"),
-        );
-        found(&shader).0
-    };
-    assert_eq!(errors("match d + x => 1.0;"), ["4:1 unknown-type"]);
-    assert_eq!(errors("given wave > 0.5 then y;"), ["4:1 unknown-type"]);
-    assert_eq!(errors("d = (a b c) + x;"), ["4:8 syntax-error"]);
-    // Each statement has its own.
-    let both = errors("match d + x => 1.0; d = x;");
-    assert_eq!(both, ["4:1 unknown-type", "4:11 undeclared-name"]);
-}
-
-/// Several mistakes in one statement, also if a word starts with a keyword or a type.
+/// Several mistakes in one statement, also if a word starts with a keyword or a type. After a syntax
+/// error, names and types of the same statement are not reported.
 #[test]
 fn every_mistake_of_a_statement_is_reported() {
     for case in include_str!("several.txt").lines() {
-        let (statement, expected) = case.split_once(" => ").unwrap();
+        let (statement, expected) = case.rsplit_once(" => ").unwrap();
         let body = format!("float d = 0.5;\n{statement}\ncolor = vec4(d);");
         let reported = found(&main_with("", &body)).0;
         assert_eq!(reported.join(", "), expected, "{statement}");
-    }
-}
-
-/// A text that ends too early has one error there.
-#[test]
-fn texts_that_end_early_have_one_error_at_the_end() {
-    let cut = [
-        (
-            "float f(float x) { return x; }\nvoid main() {\n    float d = f(0.5, ",
-            "3:20",
-        ),
-        (
-            "void main() {\n    color = vec4(1.0);\n    for (int i = 0; i",
-            "3:22",
-        ),
-        (
-            "void main() {\n    if (color.x > 0.0) { color = vec4(1.0); } else",
-            "2:47",
-        ),
-        ("const float K = 1.0;\nfloat f(float x,", "2:16"),
-    ];
-    for (text, place) in cut {
-        assert_eq!(found(text).0, [format!("{place} syntax-error")], "{text}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! A mistake of the text or of a declaration is one error, and its fix leaves none.
 
-use super::super::tests::{check, found, main_with};
+use super::super::tests::{check, main_with};
 
 const TOP: &str = "float half_of(float x) { return 0.5 * x; }";
 
@@ -22,13 +22,6 @@ fn mistakes_of_texts_and_declarations_are_one_error_each() {
         };
         check(&shader, expected);
     }
-}
-
-#[test]
-fn names_of_macros_are_not_calls() {
-    let code = "#define abs absent_of\nfloat f(float x) { return abs(x); }";
-    let found = found(&main_with(code, "color = vec4(0.5);"));
-    assert_eq!(found.0, ["1:13 undeclared-name"]);
 }
 
 /// A word alone on a line is an undeclared name unless a brace is missing.
