@@ -617,37 +617,10 @@ mod tests {
     use crate::dialect::recognise;
     use shaderlint_semantic::Pass;
 
-    #[track_caller]
-    fn known(text: &str) -> &'static str {
-        recognise(&Clues::of(text)).unwrap().host.name
-    }
-
-    #[test]
-    fn isf_is_recognised_by_its_header_or_its_names() {
-        let main = "void main() { gl_FragColor = vec4(1.0); }";
-        assert_eq!(known(&format!("/*{{\"INPUTS\": []}}*/ {main}")), "isf");
-        assert_eq!(
-            known(&format!("/*\n{{ \"ISFVSN\": \"2\" }}\n*/\n{main}")),
-            "isf"
-        );
-        assert_eq!(
-            known("void main() { gl_FragColor = vec4(isf_FragNormCoord, 0.0, 1.0); }"),
-            "isf"
-        );
-        assert_eq!(known(&format!("/*{{ \"speed\": 1 }}*/ {main}")), "webgl");
-        assert_eq!(known(&format!("/* about \"INPUTS\" */ {main}")), "webgl");
-        assert_eq!(
-            known(
-                "uniform vec2 RENDER; uniform float TIME; void main() { gl_FragColor = vec4(TIME); }"
-            ),
-            "webgl"
-        );
-    }
-
     #[test]
     fn vertex_shaders_without_a_fragment_shader_name_the_missing_file() {
         let text = "varying vec2 q; void main() { isf_vertShaderInit(); q = vec2(1.0); }";
-        assert_eq!(known(text), "isf");
+        assert_eq!(recognise(&Clues::of(text)).unwrap().host.name, "isf");
         let notes = plan(&Clues::of(text)).notes;
         assert!(
             notes.iter().any(|n| n.contains("`.fs` file next to it")),

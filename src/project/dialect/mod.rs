@@ -629,14 +629,6 @@ impl Recognised {
 mod tests {
     use super::*;
 
-    /// Checks which host is detected.
-    #[track_caller]
-    fn check(text: &str, dialect: &str) {
-        let found = recognise(&Clues::of(text)).unwrap();
-        assert_eq!(found.host.name, dialect, "{:?}\n{text}", found.signs);
-        assert_eq!(found.tied, None, "{text}");
-    }
-
     #[test]
     fn ambiguous_dialects_are_reported() {
         let text = "precision highp float;\nuniform vec3 spectrum;\nvarying vec2 surfacePosition;\n\
@@ -651,102 +643,13 @@ mod tests {
 
     #[test]
     fn dialects_are_recognised_by_their_own_names() {
-        let old = |head: &str| {
-            format!("precision mediump float;\n{head}\nvoid main() {{ gl_FragColor = vec4(1.0); }}")
-        };
-        check(
-            &old("uniform float time; uniform vec2 resolution;"),
-            "glsl-sandbox",
-        );
-        check(&old("varying vec2 surfacePosition;"), "glsl-sandbox");
-        check(
-            &old("uniform float u_time; uniform vec2 u_resolution;"),
-            "book-of-shaders",
-        );
-        check(
-            &old("uniform float time; uniform vec3 spectrum;"),
-            "kodelife",
-        );
-        check(&old("varying vec2 vUv; uniform float uTime;"), "three");
-        check(&old("uniform vec2 r; uniform float t;"), "twigl");
-        check(
-            "void main() { gl_FragColor = vec4(vUv, cameraPosition.xy); }",
-            "three",
-        );
-        check(
-            "#version 410 core\nuniform float fGlobalTime;\nout vec4 c;\nvoid main() { c = vec4(fGlobalTime); }",
-            "bonzomatic",
-        );
-        check("o=vec4(FC.xy/r,sin(t),1);", "twigl");
-        check("void main(){o=vec4(gl_FragCoord.xy/r,sin(t),1);}", "twigl");
-    }
-
-    #[test]
-    fn uniforms_that_a_host_lacks_rule_it_out() {
-        let screen = |uniforms: &str| {
-            format!(
-                "precision mediump float;\nvarying vec2 v_texcoord;\nuniform sampler2D tex;\n{uniforms}\n\
-                 void main() {{ gl_FragColor = texture2D(tex, v_texcoord); }}"
-            )
-        };
-        check(&screen(""), "hyprland");
-        check(&screen("uniform float time;"), "hyprland");
-        // wlroots and Weston, GStreamer.
-        check(&screen("uniform float alpha;"), "webgl");
-        check(&screen("uniform float time; uniform float width;"), "webgl");
-        check(
-            &screen("uniform float alpha; uniform float pointer_size;"),
-            "hyprland",
-        );
-    }
-
-    #[test]
-    fn modes_of_twigl_are_distinguished_from_glsl_sandbox() {
-        let classic = |uniforms: &str, color: &str| {
-            format!(
-                "precision highp float;\nuniform vec2 resolution;\nuniform vec2 mouse;\nuniform float time;\n\
-                 {uniforms}\nvoid main() {{ {color} = vec4(mouse, time, resolution.x); }}"
-            )
-        };
-        check(&classic("", "gl_FragColor"), "glsl-sandbox");
-        check(&classic("uniform float sound;", "gl_FragColor"), "twigl");
-        check(&classic("out vec4 outColor;", "outColor"), "twigl");
-        let targets = "uniform sampler2D backbuffer0;\nlayout(location = 0) out vec4 a;\n\
-                       layout(location = 1) out vec4 b;";
-        check(&classic(targets, "a"), "twigl");
-    }
-
-    #[test]
-    fn common_names_do_not_identify_a_dialect() {
-        let image = |body: &str| format!("void mainImage(out vec4 o, in vec2 u) {{ {body} }}");
-        check(
-            &image("float time = iTime; vec2 resolution = iResolution.xy; o = vec4(time);"),
-            "shadertoy",
-        );
-        check(
-            &image("float t = iTime; vec2 r = iResolution.xy; o = vec4(u / r, t, 1);"),
-            "shadertoy",
-        );
-        check(
-            "#define R iResolution\n#define T iTime\nvoid mainImage(out vec4 o, vec2 u) { o = vec4(u / R.xy, T, 1); }",
-            "shadertoy",
-        );
-        check(
-            "uniform float time;\nvoid main() { gl_FragColor = vec4(time); }",
-            "webgl",
-        );
-        check(
-            "uniform int time; uniform vec4 resolution;\nvoid main() { gl_FragColor = resolution; }",
-            "webgl",
-        );
-        check(
-            "void main() { float r = 1.0, t = 2.0; gl_FragColor = vec4(r, t, 0.0, 1.0); }",
-            "webgl",
-        );
-        check(
-            "varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }",
-            "webgl",
-        );
+        let cases = include_str!("recognised.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (text, dialect) = case.split_once(" ⇒ ").unwrap();
+            let found = recognise(&Clues::of(&text.replace('↵', "\n"))).unwrap();
+            assert_eq!(found.host.name, dialect, "{:?}\n{text}", found.signs);
+            assert_eq!(found.tied, None, "{text}");
+        }
     }
 
     #[test]

@@ -155,21 +155,7 @@ fn controls(settings: &Map<String, Value>) -> Vec<UniformControl> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dialect::recognise;
     use shaderlint_semantic::Stage;
-
-    #[test]
-    fn vertexshaderart_is_recognised_by_its_numbered_vertices() {
-        let known = |text: &str| recognise(&Clues::of(text)).unwrap().host.name;
-        let text = "void main() { gl_Position = vec4(vertexId / vertexCount); v_color = vec4(1); }";
-        assert_eq!(known(text), "vertexshaderart");
-        let headed = format!("/*{{\"ISFVSN\": \"2\", \"INPUTS\": []}}*/ {text}");
-        assert_eq!(known(&headed), "vertexshaderart", "a head of ossia score's");
-        assert_ne!(
-            known("uniform float vertexId; void main() { gl_FragColor = vec4(vertexId); }"),
-            "vertexshaderart"
-        );
-    }
 
     #[test]
     fn added_code_has_the_version_that_the_shader_needs() {

@@ -553,24 +553,10 @@ mod tests {
 
     #[test]
     fn uniform_directives_are_read() {
-        assert_eq!(
-            read(" float x = 1.0 in { 0.0, 5.0 } step 0.2 // how much"),
-            "uniform float x;\nFloat [1.0] [0.0] [5.0]"
-        );
-        assert_eq!(
-            read("color3 c = color3(1.0, 0.5, 0)"),
-            "uniform vec3 c;\nColor [1.0, 0.5, 0.0] [0.0, 0.0, 0.0] [1.0, 1.0, 1.0]"
-        );
-        assert_eq!(
-            read("vec2 p in { vec2(-1.0, -2), vec2(1.0) }"),
-            "uniform vec2 p;\nVector [-1.0, -2.0] [-1.0, -2.0] [1.0, 1.0]"
-        );
-        assert_eq!(
-            read("int n = 3 in [1, 9]"),
-            "uniform int n;\nInt [3.0] [1.0] [9.0]"
-        );
-        assert_eq!(read("mat3 m = mat3(1.0)"), "none");
-        assert_eq!(read("float 9x = 1.0"), "none");
+        for case in include_str!("uniforms.txt").lines().skip(1) {
+            let (text, expected) = case.split_once(" ⇒ ").unwrap();
+            assert_eq!(read(text), expected.replace('↵', "\n"), "{text}");
+        }
     }
 
     #[test]
@@ -594,27 +580,6 @@ mod tests {
         let text = "// #iChannel0 \"a\"\n/* #iUniform float x */\n# iChannel1 \"file://b.glsl\"\n#iChannel12 \"c\"\n#define iChannel2 3\n";
         let words: Vec<_> = directives(text).iter().map(|d| d.word).collect();
         assert_eq!(words, ["iChannel1"]);
-    }
-
-    #[test]
-    fn the_dialect_is_recognised_by_its_directives() {
-        let known = |text: &str| {
-            crate::dialect::recognise(&Clues::of(text))
-                .unwrap()
-                .host
-                .name
-        };
-        let image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
-        let main = "void main() { gl_FragColor = vec4(1.0); }";
-        assert_eq!(
-            known(&format!("#iChannel0 \"self\"\n{image}")),
-            "vscode-shader-toy"
-        );
-        assert_eq!(known(&format!("#iKeyboard\n{main}")), "vscode-shader-toy");
-        assert_eq!(
-            known(&format!("// #iChannel0 \"self\"\n{image}")),
-            "shadertoy"
-        );
     }
 
     #[test]
