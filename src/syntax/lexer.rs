@@ -434,93 +434,21 @@ fn operator(bytes: &[u8]) -> (RawKind, usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use RawKind::*;
 
-    #[track_caller]
-    fn check(text: &str, expected: &[(RawKind, &str)]) {
-        let tokens = tokenize(text, 0);
-        let found: Vec<(RawKind, &str)> = tokens
-            .iter()
-            .map(|t| (t.kind, &text[t.span.start as usize..t.span.end as usize]))
-            .collect();
-        assert_eq!(found, expected);
-    }
-
+    /// Each case is a text, with `↵` and `␍` for line breaks, and its tokens.
     #[test]
-    fn numbers_are_lexed_as_in_the_browser() {
-        for float in ["1.", ".5", "1.5e-3", "5e2", "1.f", "1e5F"] {
-            check(float, &[(Float, float)]);
+    fn texts_have_the_expected_tokens() {
+        let cases = include_str!("tokens.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let case = case.replace('↵', "\n").replace('␍', "\r");
+            let (text, expected) = case.split_once(" ⇒ ").unwrap();
+            let found = tokenize(text, 0).into_iter().map(|t| {
+                let token = &text[t.span.start as usize..t.span.end as usize];
+                format!("{:?} `{token}`", t.kind)
+            });
+            let found = found.collect::<Vec<_>>().join(" ");
+            assert_eq!(found, expected, "{text}");
         }
-        for int in ["0", "07", "12u", "0xFfU"] {
-            check(int, &[(Integer, int)]);
-        }
-        for bad in ["1f", "08", "0x", "1.0.0", "1..x", "1e", "1uu", ".5.5"] {
-            check(bad, &[(BadNumber, bad)]);
-        }
-        check(
-            "5e2-.5",
-            &[
-                (Float, "5e2"),
-                (Operator(TokenKind::Minus), "-"),
-                (Float, ".5"),
-            ],
-        );
-        check(
-            "1.0e+",
-            &[(BadNumber, "1.0e"), (Operator(TokenKind::Plus), "+")],
-        );
-    }
-
-    #[test]
-    fn comments_are_tokens() {
-        check("/**/a", &[(BlockComment, "/**/"), (Word, "a")]);
-        check("/***/", &[(BlockComment, "/***/")]);
-        check(
-            "//a\r\nb",
-            &[(LineComment, "//a"), (Newline, "\r\n"), (Word, "b")],
-        );
-        check("/*/", &[(OpenComment, "/*/")]);
-    }
-
-    #[test]
-    fn backslash_newline_joins_lines() {
-        check(
-            "a\\\nb c",
-            &[(Word, "a\\\nb"), (Whitespace, " "), (Word, "c")],
-        );
-        check(
-            "+\\\n=1",
-            &[(Operator(TokenKind::PlusEqual), "+\\\n="), (Integer, "1")],
-        );
-        check(
-            "// a \\\n b\nc",
-            &[(LineComment, "// a \\\n b"), (Newline, "\n"), (Word, "c")],
-        );
-        check(
-            "a \\\n b",
-            &[(Word, "a"), (Whitespace, " \\\n "), (Word, "b")],
-        );
-        check(
-            "a\\\n+",
-            &[
-                (Word, "a"),
-                (Whitespace, "\\\n"),
-                (Operator(TokenKind::Plus), "+"),
-            ],
-        );
         assert_eq!(unsplice("a\\\nb\\\r\nc\\d"), "abc\\d");
-    }
-
-    #[test]
-    fn unexpected_characters_are_tokens() {
-        check("→$", &[(Other, "→"), (Other, "$")]);
-        check(
-            "naïve2 é",
-            &[
-                (ForeignWord, "naïve2"),
-                (Whitespace, " "),
-                (ForeignWord, "é"),
-            ],
-        );
     }
 }

@@ -536,8 +536,8 @@ mod tests {
     use crate::{ParseOptions, Search, Version, parse, preprocess};
     use shaderlint_text::{Role, Sources, apply_edits};
 
-    /// Checks the messages reported for a text and the text after applying the fixes.
-    fn check(text: &str, messages: &[&str], repaired: &str) {
+    /// Checks the only message reported for a text and the text after applying the fixes.
+    fn check(text: &str, message: &str, repaired: &str) {
         let mut sources = Sources::new();
         let prelude = sources.add("", None, Role::Prelude, "#version 300 es\n");
         let files: Vec<_> = prelude
@@ -558,57 +558,21 @@ mod tests {
         )
         .diagnostics;
         let stderr: Vec<&str> = found.iter().map(|d| d.message.as_str()).collect();
-        assert_eq!(stderr, messages, "{text}");
+        assert_eq!(stderr, [message], "{text}");
         let fixes = found.iter().filter_map(|d| d.fix.as_ref());
         let edits: Vec<_> = fixes.flat_map(|f| f.edits.clone()).collect();
         let base = sources.files().last().map_or(0, |f| f.base);
-        assert_eq!(apply_edits(text, base, &edits).as_deref(), Ok(repaired));
+        let found = apply_edits(text, base, &edits);
+        assert_eq!(found.as_deref(), Ok(repaired), "{text}");
     }
 
+    /// Each case is a text, the message and the repaired text.
     #[test]
-    fn a_missing_or_wrong_bracket_is_repaired() {
-        check(
-            "float f(float x) { return max x, 1.0); }",
-            &["missing `(`"],
-            "float f(float x) { return max( x, 1.0); }",
-        );
-        check(
-            "vec2 f(vec2 x) { return vec2(x.x; 1.0); }",
-            &["expected `,`, found `;`"],
-            "vec2 f(vec2 x) { return vec2(x.x, 1.0); }",
-        );
-    }
-
-    #[test]
-    fn stray_semicolons_are_removed() {
-        check(
-            "float f(float x); {\n    return x;\n}\n",
-            &["unexpected `;`"],
-            "float f(float x) {\n    return x;\n}\n",
-        );
-        check(
-            "void f() {\n    if (a); {\n        b();\n    } else {\n        c();\n    }\n}\n",
-            &["unexpected `;`"],
-            "void f() {\n    if (a) {\n        b();\n    } else {\n        c();\n    }\n}\n",
-        );
-    }
-
-    #[test]
-    fn braces_are_repaired_by_indentation() {
-        check(
-            "void f() {\n    if (a) {\n        b();\n\n    c();\n}\nvoid g() {}\n",
-            &["missing `}`"],
-            "void f() {\n    if (a) {\n        b();\n    }\n    c();\n}\nvoid g() {}\n",
-        );
-        check(
-            "void f() {\n    if (a)\n        b();\n        c();\n    }\n    d();\n}\nvoid g() {}\n",
-            &["missing `{`"],
-            "void f() {\n    if (a) {\n        b();\n        c();\n    }\n    d();\n}\nvoid g() {}\n",
-        );
-        check(
-            "void f() {\n    b();\n    }\n    c();\n}\nvoid g() {}\n",
-            &["unmatched `}`"],
-            "void f() {\n    b();\n    \n    c();\n}\nvoid g() {}\n",
-        );
+    fn missing_and_wrong_tokens_are_repaired() {
+        let cases = include_str!("repairs.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let parts: Vec<String> = case.split(" ⇒ ").map(|p| p.replace('↵', "\n")).collect();
+            check(&parts[0], &parts[1], &parts[2]);
+        }
     }
 }
