@@ -275,78 +275,21 @@ fn label(comment: &str, mark: &str) -> String {
 mod tests {
     use super::*;
 
-    #[track_caller]
-    fn check(comment: &str, expected: Option<(&str, f64, f64, &str)>) {
-        let found = tilde_range(comment).map(|(start, end, min, max)| {
-            let text = &comment[start..end];
-            (text, min, max, label(comment, text))
-        });
-        let found = found.as_ref().map(|(t, a, b, l)| (*t, *a, *b, l.as_str()));
-        assert_eq!(found, expected);
-    }
-
     #[test]
-    fn ranges_are_read_from_comments() {
-        check(
-            "// Ray march step count (80~400)",
-            Some(("(80~400)", 80.0, 400.0, "Ray march step count")),
-        );
-        check(
-            "// Adjustable: max step count, 64~256, more = slower",
-            Some(("64~256", 64.0, 256.0, "max step count")),
-        );
-        check("// z=1.0 gives ~90 degrees", None);
-        check("// -1.5 ~ 1.5.", Some(("-1.5 ~ 1.5", -1.5, 1.5, "")));
-        check("// 3~1", None);
-    }
-
-    #[track_caller]
-    fn marked(comment: &str, expected: Option<(&str, MarkMeaning)>) {
-        let found = find_mark(comment, &[0.5]);
-        let found = found.map(|(start, end, meaning)| (&comment[start..end], meaning));
-        assert_eq!(found, expected, "{comment}");
-    }
-
-    #[test]
-    fn slider_comments_of_other_tools_are_read() {
-        let range = |min: f64, max: f64| MarkMeaning::Range(vec![min], vec![max]);
-        marked(
-            "//! slider[0, 0.4, 1]",
-            Some(("slider[0, 0.4, 1]", range(0.0, 1.0))),
-        );
-        marked(
-            "//!slider [(0,-1), (1,1), (9, 9)]",
-            Some((
-                "slider [(0,-1), (1,1), (9, 9)]",
-                MarkMeaning::Range(vec![0.0, -1.0], vec![9.0, 9.0]),
-            )),
-        );
-        marked(
-            "//! islider[1, 3, 8]",
-            Some(("islider[1, 3, 8]", range(1.0, 8.0))),
-        );
-        marked("//! slider[1, 3, 0]", None);
-        marked("//! slider[a, b]", None);
-        marked(
-            "//! color[1, 1, 1]",
-            Some(("color[1, 1, 1]", MarkMeaning::Color)),
-        );
-        marked(
-            "//! checkbox[true]",
-            Some(("checkbox[true]", MarkMeaning::Switch)),
-        );
-        marked(
-            "// in { -1.0, 1.0 }",
-            Some(("in { -1.0, 1.0 }", range(-1.0, 1.0))),
-        );
-        marked("// gain in [0, 2]", Some(("in [0, 2]", range(0.0, 2.0))));
-        marked("// [0, 1]", Some(("[0, 1]", range(0.0, 1.0))));
-        marked("// how far [0..8]", Some(("[0..8]", range(0.0, 8.0))));
-        marked("// see [1, 2]", None);
-        marked("// Sky (color)", Some(("(color)", MarkMeaning::Color)));
-        marked("// color: of the sky", Some(("color", MarkMeaning::Color)));
-        marked("// the color of the sky", None);
-        marked("// half", None);
+    fn marks_are_read_from_comments() {
+        let cases = include_str!("marks.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (comment, expected) = case.split_once(" ⇒ ").unwrap();
+            let found = match comment.strip_prefix("range: ") {
+                Some(comment) => tilde_range(comment).map(|(start, end, min, max)| {
+                    let text = &comment[start..end];
+                    format!("{text} | {min} | {max} | {}", label(comment, text))
+                }),
+                None => find_mark(comment, &[0.5])
+                    .map(|(start, end, meaning)| format!("{} | {meaning:?}", &comment[start..end])),
+            };
+            assert_eq!(found.as_deref().unwrap_or("none"), expected, "{comment}");
+        }
         assert_eq!(label("//! slider[0, 1] of all", "slider[0, 1]"), "of all");
     }
 }
