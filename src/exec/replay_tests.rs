@@ -13,26 +13,7 @@ fn stepping() -> CompileOptions {
     }
 }
 
-const SHADER: &str = "#version 300 es
-precision highp float; out vec4 color; uniform float x;
-float g = 2.0;
-float half_of(float a) {
-    if (a > 3.0) return a * 0.5;
-    g += 1.0;
-    return a + x;
-}
-void main() {
-    float p = gl_FragCoord.x;
-    float sum = 0.0, old = sum;
-    for (int i = 0; i < 3; i++) {
-        if (i == 1 && p < 1.0) continue;
-        float d = half_of(p + float(i));
-        sum += d; old = sum;
-    }
-    vec2 v = vec2(sum, g);
-    v.yx = v;
-    color = vec4(v, old, half_of(sum) + half_of(p));
-}";
+const SHADER: &str = include_str!("replay.glsl");
 
 /// The source of a stop, with the names of the functions that run.
 fn shown(program: &Program, draw: &Draw<'_>, pause: &Pause) -> String {
@@ -62,47 +43,7 @@ fn variables(program: &Program, replay: &Replay<'_>, names: [&str; 5]) -> [f32; 
 }
 
 /// The stops of the lower left pixel, and the variables `g`, `a`, `sum`, `d` and `old` there.
-const STOPS: &str = "\
-float g = 2.0; in globals: 0 NaN NaN NaN NaN
-float p = gl_FragCoord.x; in main: 2 NaN NaN NaN NaN
-float sum = 0.0, old = sum; in main: 2 NaN NaN NaN NaN
-int i = 0; in main: 2 NaN 0 NaN 0
-i < 3 in main: 2 NaN 0 NaN 0
-i == 1 && p < 1.0 in main: 2 NaN 0 NaN 0
-float d = half_of(p + float(i)); in main: 2 NaN 0 NaN 0
-a > 3.0 in half_of<main: 2 0.5 0 NaN 0
-g += 1.0; in half_of<main: 2 0.5 0 NaN 0
-return a + x; in half_of<main: 3 0.5 0 NaN 0
-float d = half_of(p + float(i)); in main returned: 3 NaN 0 NaN 0
-sum += d; in main: 3 NaN 0 0.75 0
-old = sum; in main: 3 NaN 0.75 0.75 0
-i++ in main: 3 NaN 0.75 0.75 0.75
-i < 3 in main: 3 NaN 0.75 NaN 0.75
-i == 1 && p < 1.0 in main: 3 NaN 0.75 NaN 0.75
-continue; in main: 3 NaN 0.75 NaN 0.75
-i++ in main: 3 NaN 0.75 1 0.75
-i < 3 in main: 3 NaN 0.75 NaN 0.75
-i == 1 && p < 1.0 in main: 3 NaN 0.75 NaN 0.75
-float d = half_of(p + float(i)); in main: 3 NaN 0.75 NaN 0.75
-a > 3.0 in half_of<main: 3 2.5 0.75 NaN 0.75
-g += 1.0; in half_of<main: 3 2.5 0.75 NaN 0.75
-return a + x; in half_of<main: 4 2.5 0.75 NaN 0.75
-float d = half_of(p + float(i)); in main returned: 4 NaN 0.75 NaN 0.75
-sum += d; in main: 4 NaN 0.75 2.75 0.75
-old = sum; in main: 4 NaN 3.5 2.75 0.75
-i++ in main: 4 NaN 3.5 2.75 3.5
-i < 3 in main: 4 NaN 3.5 NaN 3.5
-vec2 v = vec2(sum, g); in main: 4 NaN 3.5 0 3.5
-v.yx = v; in main: 4 NaN 3.5 0 3.5
-color = vec4(v, old, half_of(sum) + half_of(p)); in main: 4 NaN 3.5 0 3.5
-a > 3.0 in half_of<main: 4 3.5 3.5 0 3.5
-return a * 0.5; in half_of<main: 4 3.5 3.5 0 3.5
-color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 4 NaN 3.5 0 3.5
-a > 3.0 in half_of<main: 4 0.5 3.5 0 3.5
-g += 1.0; in half_of<main: 4 0.5 3.5 0 3.5
-return a + x; in half_of<main: 5 0.5 3.5 0 3.5
-color = vec4(v, old, half_of(sum) + half_of(p)); in main returned: 5 NaN 3.5 0 3.5
-} in main: 5 NaN 3.5 0 3.5";
+const STOPS: &str = include_str!("replay_stops.txt");
 
 #[test]
 fn a_replay_stops_before_each_statement() {
@@ -122,7 +63,7 @@ fn a_replay_stops_before_each_statement() {
             ));
         }
     }
-    assert_eq!(lines.join("\n"), STOPS);
+    assert_eq!(lines.join("\n"), STOPS.trim_end());
 }
 
 /// The outputs at the end of a replay are those of the draw, in each lane.
