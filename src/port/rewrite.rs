@@ -453,59 +453,18 @@ mod tests {
         rewrite(&project, &composed, &composed.units[0]).map_err(|e| e.message)
     }
 
-    #[track_caller]
-    fn kept(body: &str, reason: &str) {
-        let code = format!("{body}\n");
-        assert_eq!(rewritten(&code).unwrap_err(), reason, "{code}");
-    }
-
-    const HEAD: &str = "void mainImage(out vec4 c, in vec2 p) {";
-
     #[test]
     fn equivalent_main_functions_are_rewritten() {
-        for code in [
-            "c = vec4(p, 0, 1);",
-            "if (p.x > 9.0) c = vec4(p.y);",
-            "p /= 2.0; c = vec4(p[int(p.x)]);",
-            "for (int i = 0; i < 9; ++i) { if (i == 7) continue; c += p.xyxy; }",
-            "switch (int(p.x)) { case 1: c = vec4(1); break; default: c.x = 0.5; }",
-            "do { c.x += 1.0; } while (c.x < p.y); { vec4 c = vec4(2); c.x = 1.0; }",
-            "vec2 gl = gl_FragCoord.xy; c = vec4(gl, p.yx);",
-            "c = vec4(p[int(iTime)]);",
-        ] {
-            let text = rewritten(&format!("{HEAD} {code} }}")).unwrap();
-            assert!(text.contains("void main()"), "{text}");
+        let cases = include_str!("rewrites.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (code, expected) = case.split_once(" ⇒ ").unwrap();
+            match rewritten(&format!("{}\n", code.replace('↵', "\n"))) {
+                Ok(text) => {
+                    assert!(text.contains("void main()"), "{text}");
+                    assert_eq!(expected, "rewritten", "{code}");
+                }
+                Err(reason) => assert_eq!(reason, expected, "{code}"),
+            }
         }
-        let struct_of_a_type = "struct S { float x; } f() { return S(0.5); }\n";
-        let text = format!("{struct_of_a_type}{HEAD} c = vec4(f().x); }}");
-        assert_eq!(rewritten(&text).err(), None);
-    }
-
-    #[test]
-    fn main_functions_that_may_differ_are_kept() {
-        kept(
-            &format!("{HEAD} for (int i = 0; i < 4; i++) c[i] = p.x; }}"),
-            "the rewritten shader does not compile: a fragment output must be indexed with a constant",
-        );
-        kept(
-            &format!("#define a 0.5\n{HEAD} c = vec4(a); }}"),
-            "`a` is a macro",
-        );
-        kept(
-            &format!("#define xy yx\n{HEAD} c = p.xyxy; }}"),
-            "`xy` is a macro",
-        );
-        kept(
-            &format!("{HEAD} c = vec4(1);\n#define c d\nvec4 d; d.x = 1.0; }}"),
-            "`c` is a macro",
-        );
-        kept(
-            &format!("{HEAD} c = vec4(__LINE__); }}"),
-            "`__LINE__` would change",
-        );
-        kept(
-            &format!("float c;\n{HEAD} c = vec4(1); }}"),
-            "`c` is already a global variable",
-        );
     }
 }

@@ -231,7 +231,8 @@ mod tests {
             format!("{} {kind:?} {text} {:?} {:?}", s.name, s.min, s.max)
         });
         let notes = found.notes.iter().cloned();
-        assert_eq!(shown.chain(notes).collect::<Vec<_>>(), expected);
+        let found: Vec<String> = shown.chain(notes).collect();
+        assert_eq!(found, expected, "{choice:?}: {}", project.passes[0].code);
     }
 
     fn image(code: &str) -> Project {
@@ -239,78 +240,22 @@ mod tests {
         Project::from_shader("", &format!("{code}\n{main}")).unwrap()
     }
 
+    /// Each case is a choice, a shader without its main function, and the sliders and notes.
     #[test]
-    fn marked_constants_get_sliders() {
-        let code = "const float SPEED = 0.4; // how fast (0~1)\n\
-            const int A = 3, // (1~8)\n  B = -2; // (-4~4)\n\
-            const int FLAG = 1; // (0~1)\nconst uint U = 2u; //! slider[0, 3, 9]\n\
-            const vec3 SKY = vec3(.2, .5, 1); // (color)\n\
-            const vec3 SKY_COLOR = vec3(.2); // (0~1)\nconst vec3 AXIS = vec3(0, -1., 0); // (-1~1)\n\
-            const bool ON = true;\nconst bool OFF = false; // whether it is off\n\
-            #define GAIN (1.5) // in {0.0, 2.0}\n#define TINT vec4(1., .5, 0., 1.) // color: of all\n\
-            const float PLAIN = 0.5; // see below\nconst float PAIR = 1.0, OTHER = 2.0; // (0~4)\n\
-            const mat2 M = mat2(1.0); // (0~1)\n";
-        check(
-            SliderChoice::Marked,
-            &image(code),
-            &[
-                "GAIN Float 1.5 [0.0] [2.0]",
-                "TINT Color 1., .5, 0., 1. [0.0, 0.0, 0.0, 0.0] [1.0, 1.0, 1.0, 1.0]",
-                "SPEED Float 0.4 [0.0] [1.0]",
-                "A Int 3 [1.0] [8.0]",
-                "B Int -2 [-4.0] [4.0]",
-                "FLAG Bool 1 [0.0] [1.0]",
-                "U Int 2u [0.0] [9.0]",
-                "SKY Color .2, .5, 1 [0.0, 0.0, 0.0] [1.0, 1.0, 1.0]",
-                "SKY_COLOR Color .2 [0.0, 0.0, 0.0] [1.0, 1.0, 1.0]",
-                "AXIS Vector 0, -1., 0 [-1.0, -1.0, -1.0] [1.0, 1.0, 1.0]",
-                "ON Bool true [0.0] [1.0]",
-                "OFF Bool false [0.0] [1.0]",
-                "OTHER Float 2.0 [0.0] [4.0]",
-            ],
-        );
-        check(SliderChoice::None, &image(code), &[]);
-    }
-
-    /// Array sizes and other constants follow a slider, because the code is compiled again; a value
-    /// with which it would not compile has none.
-    #[test]
-    fn sliders_that_break_the_shader_are_refused() {
-        let code = "const int N = 3; // (0~4)\nconst int M = 3; // (1~4)\nconst int TWICE = 2 * M;\n\
-            const float HALF = float(M) * 0.5; // (0~1)\nfloat a[N]; float b[TWICE];\n\
-            #define LAST 2 // (0~9)\nfloat f() { return vec3(1)[LAST]; }\n";
-        check(
-            SliderChoice::Marked,
-            &image(code),
-            &[
-                "M Int 3 [1.0] [4.0]",
-                "no slider for `HALF`: its value is not a literal",
-                "no slider for `N`: with 0 the shader does not compile: array size cannot be 0",
-                "no slider for `LAST`: with 9 the shader does not compile: index 9 is out of range \
-                    for `vec3`",
-            ],
-        );
-    }
-
-    #[test]
-    fn unmarked_literals_get_proposals() {
-        let code = "#define STEPS 12\n#define UNUSED 1.0\n#define PI 3.14159265\n\
-            const float SHIFT = -0.5;\nconst vec3 FOG_COLOR = vec3(0.5);\nconst vec2 AT = vec2(0, 2);\n\
-            const float MARKED = 1.0; // (0~8)\nconst float LEFT = 2.0;\nconst float R2 = 1.41421;\n\
-            float f() { return float(STEPS) * PI * SHIFT * FOG_COLOR.x * AT.x * R2 * MARKED; }\n";
-        check(
-            SliderChoice::Auto,
-            &image(code),
-            &[
-                "STEPS Int 12 [0.0] [24.0]",
-                "SHIFT Float -0.5 [-1.0] [0.0]",
-                "FOG_COLOR Color 0.5 [0.0, 0.0, 0.0] [1.0, 1.0, 1.0]",
-                "AT Vector 0, 2 [0.0, 0.0] [1.0, 4.0]",
-                "MARKED Float 1.0 [0.0] [8.0]",
-                "proposed sliders: `STEPS` (0~24), `SHIFT` (-1~0), `FOG_COLOR` (color), \
-                    `AT` (0~1, 0~4)",
-            ],
-        );
+    fn constants_get_sliders_by_choice() {
+        let cases = include_str!("sliders.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (given, expected) = case.split_once(" ⇒").unwrap();
+            let (choice, code) = given.split_once(": ").unwrap();
+            let choice = match choice {
+                "Marked" => SliderChoice::Marked,
+                "Auto" => SliderChoice::Auto,
+                _ => SliderChoice::None,
+            };
+            let lines = expected.trim_start().split_terminator('↵');
+            let expected: Vec<&str> = lines.collect();
+            check(choice, &image(&code.replace('↵', "\n")), &expected);
+        }
     }
 
     #[test]
