@@ -439,51 +439,19 @@ mod tests {
         (paths, left + &text[done..])
     }
 
-    #[track_caller]
-    fn one(text: &str, path: &str) {
-        assert_eq!(read(text), (vec![path.to_string()], String::new()));
-    }
-
+    /// Each case is a text, the paths that it includes, and the remaining text.
     #[test]
-    fn all_spellings_of_includes_are_read() {
-        one("#include \"a.glsl\"", "a.glsl");
-        one("  # include 'a.glsl' ;".trim_start(), "a.glsl");
-        one("#include <common>", "common");
-        one("#include ./a.glsl;", "./a.glsl");
-        one("#include a/b.glsl", "a/b.glsl");
-        one("#import \"~pkg/a.glsl\"", "~pkg/a.glsl");
-        one("@import ./a;", "./a");
-        one("#pragma include \"a.glsl\"", "a.glsl");
-        one("#pragma glslify: import('./a.glsl')", "./a.glsl");
-        one(
-            "#pragma glslify: noise = require(glsl-noise/simplex/3d)",
-            "glsl-noise/simplex/3d",
-        );
-    }
-
-    #[test]
-    fn text_that_is_not_an_include_is_kept() {
-        for text in [
-            "// #include \"a.glsl\"\n",
-            "/*\n#include \"a.glsl\"\n*/",
-            "#include MACRO(x)\n",
-            "#include \"a.glsl\n",
-            "#pragma glslify: export(noise)\n",
-            "#pragma debug(on)\n",
-            "float a; #include \"b\"\n",
-        ] {
-            assert_eq!(read(text), (Vec::new(), text.to_string()));
+    fn includes_are_separated_from_other_text() {
+        let cases = include_str!("includes.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (text, expected) = case.split_once(" ⇒ ").unwrap();
+            let (expected, rest) = expected.split_once(" ‖ ").unwrap_or((expected, ""));
+            let (paths, left) = read(&text.replace('↵', "\n"));
+            assert_eq!(paths.join(", "), expected.replace("none", ""), "{text}");
+            assert_eq!(left, rest.replace('↵', "\n"), "{text}");
         }
-    }
-
-    #[test]
-    fn comments_after_includes_are_kept() {
-        let (paths, left) =
-            read("#include \"a\" // first\n#include ./b; /* two\nlines */ float c;\n");
-        assert_eq!(paths, ["a", "./b"]);
-        assert_eq!(left, "// first\n/* two\nlines */ float c;\n");
-        let (paths, left) = read("#include \"../*/a\"\n#include \"b\"\n");
-        assert_eq!((paths.len(), left.as_str()), (2, "\n\n"));
+        let spaced = read("# include 'a.glsl' ;");
+        assert_eq!(spaced, (vec!["a.glsl".to_string()], String::new()));
     }
 
     #[test]

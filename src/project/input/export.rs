@@ -443,11 +443,6 @@ mod tests {
         assert_eq!(project.passes[2].slug(), "buffer_a");
     }
 
-    #[track_caller]
-    fn check(json: &str, expected: &str) {
-        assert_eq!(Project::from_json(json).unwrap_err().to_string(), expected);
-    }
-
     /// Exports of other programs and older versions.
     #[test]
     fn missing_and_mistyped_fields_have_defaults() {
@@ -475,31 +470,10 @@ mod tests {
 
     #[test]
     fn errors_have_a_position_or_path() {
-        check("{", "line 1, column 1: EOF while parsing an object");
-        check("{}", "not a ShaderToy export: `renderpass` is missing");
-        check(
-            r#"{"renderpass":[{"type":"foo","code":""}]}"#,
-            "`renderpass[0].type`: unknown pass type `foo`",
-        );
-        check(
-            r#"{"renderpass":[{"code":""}]}"#,
-            "`renderpass[0].type`: the pass type is missing and cannot be inferred from the name or \
-             the code",
-        );
-        check(
-            r#"{"Error":"Shader not found"}"#,
-            "expected a shader, found an error from ShaderToy: Shader not found",
-        );
-        check(
-            r#"{"renderpass":[{"type":"image","code":"","inputs":[{"type":"texture","channel":0,
-                "filepath":"/media/../../secret.png"}]}]}"#,
-            "`renderpass[0].inputs[0].filepath`: `/media/../../secret.png` is outside of the \
-             shader's folder",
-        );
-        let two = r#"{"renderpass":[{"type":"image","code":""},{"type":"image","code":""}]}"#;
-        check(
-            two,
-            "`renderpass`: expected one pass of type `image`, found 2",
-        );
+        for case in include_str!("errors.txt").lines().skip(1) {
+            let (json, expected) = case.split_once(" ⇒ ").unwrap();
+            let error = Project::from_json(json).unwrap_err();
+            assert_eq!(error.to_string(), expected, "{json}");
+        }
     }
 }
