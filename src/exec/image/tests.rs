@@ -20,32 +20,24 @@ fn texture(image: Image, filter: Filter, wrap: Wrap) -> Texture {
     }
 }
 
+/// What a lookup with the same coordinates in all lanes finds in the first lane.
+fn first(texture: &Texture, at: &[f32], level: LevelOf<'_>, offset: [i32; 3]) -> [u32; 4] {
+    let coordinates: Vec<_> = at.iter().map(|part| [*part; LANES]).collect();
+    let given = TextureLookup {
+        coordinates: &coordinates,
+        reference: None,
+        level,
+        offset,
+    };
+    lookup(texture, &given, 1).map(|row| row[0])
+}
+
 /// The red component in the first lane, times 255; all lanes have the same coordinates.
 fn red(texture: &Texture, at: &[f32], level: LevelOf<'_>, offset: [i32; 3]) -> f32 {
-    let coordinates: Vec<_> = at.iter().map(|part| [*part; LANES]).collect();
-    let found = lookup(
-        texture,
-        &TextureLookup {
-            coordinates: &coordinates,
-            reference: None,
-            level,
-            offset,
-        },
-        1,
-    );
-    f32::from_bits(found[0][0]) * 255.0
+    f32::from_bits(first(texture, at, level, offset)[0]) * 255.0
 }
 
 const HERE: LevelOf<'_> = LevelOf::Implicit { bias: None };
-
-#[track_caller]
-fn check(texture: &Texture, at: &[f32], expected: f32) {
-    let found = red(texture, at, HERE, [0; 3]);
-    assert!(
-        (found - expected).abs() < 1e-3,
-        "{found} instead of {expected}"
-    );
-}
 
 #[test]
 fn images_with_a_wrong_number_of_texels_are_refused() {
@@ -71,31 +63,47 @@ fn images_with_a_wrong_number_of_texels_are_refused() {
     }
 }
 
+/// Each case is an image with its texels, a sampler, coordinates, and what is found there.
 #[test]
-fn nearest_takes_a_texel_and_linear_interpolates() {
-    let image = || gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
-    let nearest = texture(image(), Filter::Nearest, Wrap::Clamp);
-    check(&nearest, &[0.3, 0.5], 100.0);
-    let linear = texture(image(), Filter::Linear, Wrap::Clamp);
-    check(&linear, &[0.5, 0.5], 150.0);
-    check(&linear, &[0.375, 0.5], 100.0);
-    check(&linear, &[0.4375, 0.5], 125.0);
-}
-
-#[test]
-fn the_wrap_mode_applies_outside_of_the_image() {
-    let check_operands = |wrap, at, expected| {
-        let image = gray(ImageShape::Flat, [4, 1, 1], &[0, 100, 200, 40]);
-        check(&texture(image, Filter::Linear, wrap), &[at, 0.5], expected);
-    };
-    check_operands(Wrap::Clamp, -3.0, 0.0);
-    check_operands(Wrap::Clamp, 1e30, 40.0);
-    check_operands(Wrap::Repeat, 0.0, 20.0);
-    check_operands(Wrap::Repeat, 7.375, 100.0);
-    check_operands(Wrap::Repeat, -0.625, 100.0);
-    check_operands(Wrap::Mirror, 1.125, 40.0);
-    check_operands(Wrap::Mirror, -0.375, 100.0);
-    check_operands(Wrap::Mirror, 2.375, 100.0);
+fn lookups_read_the_texels_of_an_image() {
+    let cases = include_str!("lookups.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        let (given, expected) = case.split_once(" ⇒ ").unwrap();
+        let [image, sampler, at] = given.split(" ‖ ").collect::<Vec<_>>()[..] else {
+            panic!("{case}");
+        };
+        let numbers = |text: &str| -> Vec<f32> {
+            let words = text.split(' ');
+            words.map(|word| word.parse().expect(case)).collect()
+        };
+        let ((shape, size), texels) = image
+            .split_once(": ")
+            .and_then(|(head, texels)| Some((head.split_once(' ')?, texels)))
+            .expect(case);
+        let shape = match shape {
+            "flat" => ImageShape::Flat,
+            "cube" => ImageShape::Cube,
+            "volume" => ImageShape::Volume,
+            _ => ImageShape::Layers,
+        };
+        let size: Vec<u32> = numbers(size).iter().map(|n| *n as u32).collect();
+        let texels: Vec<u8> = numbers(texels).iter().map(|n| *n as u8).collect();
+        let (filter, wrap) = sampler.split_once(' ').unwrap();
+        let filter = match filter {
+            "nearest" => Filter::Nearest,
+            "linear" => Filter::Linear,
+            _ => panic!("{case}"),
+        };
+        let wrap = match wrap {
+            "clamp" => Wrap::Clamp,
+            "repeat" => Wrap::Repeat,
+            _ => Wrap::Mirror,
+        };
+        let image = gray(shape, [size[0], size[1], size[2]], &texels);
+        let found = red(&texture(image, filter, wrap), &numbers(at), HERE, [0; 3]);
+        let expected: f32 = expected.parse().expect(case);
+        assert!((found - expected).abs() < 1e-3, "{found}: {case}");
+    }
 }
 
 #[test]
@@ -103,7 +111,13 @@ fn no_coordinate_reads_outside_of_the_image() {
     for wrap in [Wrap::Clamp, Wrap::Repeat, Wrap::Mirror] {
         for at in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, -1e-30] {
             let image = gray(ImageShape::Flat, [3, 1, 1], &[50; 3]);
-            check(&texture(image, Filter::Linear, wrap), &[at, at], 50.0);
+            let found = red(
+                &texture(image, Filter::Linear, wrap),
+                &[at; 2],
+                HERE,
+                [0; 3],
+            );
+            assert!((found - 50.0).abs() < 1e-3, "{found} at {at}");
         }
         let cube = gray(ImageShape::Cube, [3, 3, 6], &[50; 54]);
         for at in [f32::NAN, f32::INFINITY, 0.0] {
@@ -203,47 +217,6 @@ fn explicit_levels_and_gradients_select_the_level() {
 }
 
 #[test]
-fn cube_maps_are_filtered_across_faces() {
-    let texels: Vec<u8> = (0..6).flat_map(|face| [face * 40; 4]).collect();
-    let cube = || gray(ImageShape::Cube, [2, 2, 6], &texels);
-    let linear = texture(cube(), Filter::Linear, Wrap::Repeat);
-    let axes = [
-        ([1.0, 0.0, 0.0], 0.0),
-        ([-1.0, 0.0, 0.0], 40.0),
-        ([0.0, 1.0, 0.0], 80.0),
-        ([0.0, -1.0, 0.0], 120.0),
-        ([0.0, 0.0, 1.0], 160.0),
-        ([0.0, 0.0, -1.0], 200.0),
-    ];
-    for (axis, expected) in axes {
-        check(&linear, &axis, expected);
-    }
-    // At an edge the two faces contribute a half each, at a corner the three faces a third each.
-    check(&linear, &[1.0, 1.0, 0.0], 40.0);
-    check(&linear, &[0.0, -1.0, 1.0], 140.0);
-    check(&linear, &[1.0, 1.0, 1.0], 80.0);
-}
-
-#[test]
-fn volumes_and_layers_have_a_third_coordinate() {
-    let slices = [0, 60, 120];
-    let volume = texture(
-        gray(ImageShape::Volume, [1, 1, 3], &slices),
-        Filter::Linear,
-        Wrap::Clamp,
-    );
-    check(&volume, &[0.5, 0.5, 1.0 / 3.0], 30.0);
-    let layers = texture(
-        gray(ImageShape::Layers, [1, 1, 3], &slices),
-        Filter::Linear,
-        Wrap::Clamp,
-    );
-    check(&layers, &[0.5, 0.5, 1.4], 60.0);
-    check(&layers, &[0.5, 0.5, 7.0], 120.0);
-    check(&layers, &[0.5, 0.5, -7.0], 0.0);
-}
-
-#[test]
 fn depths_are_compared_before_they_are_filtered() {
     let depths = vec![[0.2, 0.0, 0.0, 1.0], [0.6, 0.0, 0.0, 1.0]];
     let image = Image::new(ImageShape::Flat, [2, 1, 1], Texels::Float(depths)).unwrap();
@@ -266,23 +239,14 @@ fn depths_are_compared_before_they_are_filtered() {
 
 #[test]
 fn integer_textures_are_not_filtered() {
-    let image = Image::new(
-        ImageShape::Flat,
-        [2, 1, 1],
-        Texels::Int(vec![[-7, 0, 0, 1], [9, 0, 0, 1]]),
-    )
-    .unwrap();
-    let given = TextureLookup {
-        coordinates: &[[0.7; LANES], [0.5; LANES]],
-        reference: None,
-        level: LevelOf::Implicit { bias: None },
-        offset: [0; 3],
+    let texels = Texels::Int(vec![[-7, 0, 0, 1], [9, 0, 0, 1]]);
+    let image = Image::new(ImageShape::Flat, [2, 1, 1], texels).unwrap();
+    let of = |image, filter| {
+        let texture = texture(image, filter, Wrap::Clamp);
+        first(&texture, &[0.7, 0.5], HERE, [0; 3]).map(|bits| bits as i32)
     };
-    let first = |found: [[u32; LANES]; 4]| found.map(|row| row[0] as i32);
-    let nearest = texture(image.clone(), Filter::Nearest, Wrap::Clamp);
-    assert_eq!(first(lookup(&nearest, &given, 1)), [9, 0, 0, 1]);
-    let linear = texture(image, Filter::Linear, Wrap::Clamp);
-    assert_eq!(first(lookup(&linear, &given, 1)), [0, 0, 0, 1]);
+    assert_eq!(of(image.clone(), Filter::Nearest), [9, 0, 0, 1]);
+    assert_eq!(of(image, Filter::Linear), [0, 0, 0, 1]);
 }
 
 #[test]
@@ -338,15 +302,6 @@ fn samplers_without_textures_read_black() {
     assert!(texture.fits(Sampler::SamplerCube));
     assert!(!texture.fits(Sampler::Sampler2D));
     assert!(Texture::unbound(Sampler::Usampler3D).fits(Sampler::Usampler3D));
-    let given = TextureLookup {
-        coordinates: &[[0.5; LANES]; 3],
-        reference: None,
-        level: LevelOf::Implicit { bias: None },
-        offset: [0; 3],
-    };
-    let found = lookup(&texture, &given, 1);
-    assert_eq!(
-        found.map(|row| f32::from_bits(row[0])),
-        [0.0, 0.0, 0.0, 1.0]
-    );
+    let found = first(&texture, &[0.5; 3], HERE, [0; 3]);
+    assert_eq!(found.map(f32::from_bits), [0.0, 0.0, 0.0, 1.0]);
 }

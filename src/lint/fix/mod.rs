@@ -427,6 +427,16 @@ mod tests {
         Diagnostic::new("letter", Origin::Rule, Severity::Info, span, "a")
     }
 
+    fn with(text: &str, diagnostics: Vec<Diagnostic>) -> Look {
+        Look {
+            diagnostics,
+            span: Span::new(0, text.len() as u32),
+            checked_spans: None,
+            size: 0,
+            shaders: Vec::new(),
+        }
+    }
+
     /// Each `a` has the fix `b`; each `bb` is two errors without a fix.
     fn look(text: &str) -> Option<Look> {
         let mut diagnostics = Vec::new();
@@ -441,35 +451,25 @@ mod tests {
         for _ in 0..twins * 2 {
             diagnostics.push(Diagnostic::error(error::SYNTAX_ERROR, Span::at(0), "bb"));
         }
-        let span = Span::new(0, text.len() as u32);
-        Some(Look {
-            diagnostics,
-            span,
-            checked_spans: None,
-            size: 0,
-            shaders: Vec::new(),
-        })
+        Some(with(text, diagnostics))
     }
 
     #[test]
-    fn all_fixes_are_applied() {
-        let fixed = fix("a.a.a", Allow::Safe, look, without_images);
-        assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("b.b.b", 3));
-    }
-
-    #[test]
-    fn fixes_that_add_findings_are_not_kept() {
-        let fixed = fix("aa", Allow::Safe, look, without_images);
-        assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("ba", 1));
-    }
-
-    #[test]
-    fn one_bad_fix_does_not_prevent_others() {
-        let fixed = fix("a.a.ab.a.a", Allow::Safe, look, without_images);
-        assert_eq!(
-            (fixed.text.as_str(), fixed.applied.len()),
-            ("b.b.ab.b.b", 4)
-        );
+    fn as_many_fixes_as_possible_are_applied() {
+        let check = |text, look: fn(&str) -> Option<Look>, expected: &str, count| {
+            let fixed = fix(text, Allow::Safe, look, without_images);
+            assert_eq!(
+                (&*fixed.text, fixed.applied.len()),
+                (expected, count),
+                "{text}"
+            );
+        };
+        check("a.a.a", look, "b.b.b", 3);
+        // Fixes that add findings are not kept, and do not prevent others.
+        check("aa", look, "ba", 1);
+        check("a.a.ab.a.a", look, "b.b.ab.b.b", 4);
+        // Fixes that overlap are applied in separate rounds.
+        check("((a))+(b)", brackets, "a+b", 3);
     }
 
     #[test]
@@ -519,20 +519,7 @@ mod tests {
                 _ => {}
             }
         }
-        let span = Span::new(0, text.len() as u32);
-        Some(Look {
-            diagnostics,
-            span,
-            checked_spans: None,
-            size: 0,
-            shaders: Vec::new(),
-        })
-    }
-
-    #[test]
-    fn overlapping_fixes_are_applied_in_separate_rounds() {
-        let fixed = fix("((a))+(b)", Allow::Safe, brackets, without_images);
-        assert_eq!((fixed.text.as_str(), fixed.applied.len()), ("a+b", 3));
+        Some(with(text, diagnostics))
     }
 
     #[test]
@@ -548,13 +535,7 @@ mod tests {
 
     /// `a` has the fix `b`; a `c` after an `a` is hidden, any other is an error.
     fn hiding(text: &str) -> Option<Look> {
-        let mut look = Look {
-            diagnostics: Vec::new(),
-            span: Span::new(0, text.len() as u32),
-            checked_spans: None,
-            size: 0,
-            shaders: Vec::new(),
-        };
+        let mut look = with(text, Vec::new());
         let mut checked_spans = CheckedSpans::default();
         let mut hidden = false;
         for (i, c) in text.char_indices() {

@@ -134,59 +134,18 @@ mod tests {
     use super::*;
     use crate::example_rules::RULES;
 
-    #[track_caller]
-    fn check(comment: &str, expected: &str) {
-        let meant = read(comment, RULES);
-        let corrected = meant.map_or(String::new(), |m| {
-            let mut text = comment.to_string();
-            text.replace_range(m.range.clone(), &m.corrected(&m.names));
-            text
-        });
-        assert_eq!(corrected, expected);
-    }
-
+    /// Each case is a comment and what was intended.
     #[test]
     fn misspelled_suppressions_are_recognised() {
-        let right = "// shaderlint: allow(float-equality)";
-        for wrong in [
-            "// shaderlint allow(float-equality)",
-            "// shaderlint: alow(float-equality)",
-            "//shaderlint:allow float-equality",
-            "// shaderlint-disable-line float-equality",
-            "// shaderlint-disable-next-line float_equality",
-            "// shaderlint-ignore: float-equality",
-            "// shadrelint: disable=float-equality",
-            "// shader-lint: allow [float-equality]",
-            "// ShaderLint ignore floatequality",
-            "// @shaderlint suppress(\"float-equality\")",
-        ] {
-            let meant = read(wrong, RULES).unwrap_or_else(|| panic!("{wrong}"));
-            assert_eq!(meant.corrected(&meant.names), &right[3..], "{wrong}");
-        }
-        check(
-            "// shaderlint-disable look, float-equality since it is exact",
-            "// shaderlint: allow(look, float-equality) since it is exact",
-        );
-        check(
-            "/* shaderlint-disable-file(tidy) */",
-            "/* shaderlint: allow-file(tidy) */",
-        );
-        check("// shaderlint-disable-line", "// shaderlint: allow()");
-    }
-
-    #[test]
-    fn other_comments_are_not_suppressions() {
-        for comment in [
-            "// eslint-disable-next-line no-undef",
-            "// shaderlint is run on this file",
-            "// shaderlint.toml says so",
-            "// shaderlint reports this, and allows that",
-            "// shader linting is allowed",
-            "// glslint: allow(x)",
-            "// nolint",
-            "//",
-        ] {
-            check(comment, "");
+        let cases = include_str!("misspelled.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (comment, expected) = case.split_once(" ⇒ ").unwrap();
+            let corrected = read(comment, RULES).map_or("none".to_string(), |m| {
+                let mut text = comment.to_string();
+                text.replace_range(m.range.clone(), &m.corrected(&m.names));
+                text
+            });
+            assert_eq!(corrected, expected, "{comment}");
         }
     }
 }
