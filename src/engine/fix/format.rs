@@ -202,35 +202,21 @@ mod tests {
     use super::*;
     use shaderlint_text::apply_edits;
 
-    fn formatted(name: &str, text: &str) -> String {
-        let formatting = format(name, text, Claim::None, &Style::default()).unwrap();
-        assert_eq!(formatting.left, []);
-        apply_edits(text, 0, &formatting.edits).unwrap()
-    }
-
+    /// Each case is a file and its formatted text, which stays as it is; `␂` is a byte order mark.
     #[test]
-    fn shaders_in_scripts_keep_their_indentation() {
-        let text = "const a = `\n    void main(){\n  gl_FragColor=vec4( 1.0 ) ;\n  }\n  `;\n\
-                    const b = 'void main(){gl_FragColor=vec4(1.0);}';\n";
-        let expected = "const a = `\n    void main() {\n        gl_FragColor = vec4(1.0);\n    }\n  `;\n\
-                        const b = 'void main() { gl_FragColor = vec4(1.0); }';\n";
-        assert_eq!(formatted("a.js", text), expected);
-    }
-
-    #[test]
-    fn interpolations_keep_their_whitespace() {
-        let text = "const a = `\n  precision highp float;\n\n     ${noise}\n  void main(){\n\
-                    gl_FragColor=vec4( 1.0 );}\n`;\n";
-        let expected = "const a = `\n  precision highp float;\n\n     ${noise}\n  void main() {\n      \
-                        gl_FragColor = vec4(1.0);\n  }\n`;\n";
-        let once = formatted("a.js", text);
-        assert_eq!(once, expected);
-        assert_eq!(formatted("a.js", &once), once);
-        let inside =
-            "const a = `\nvoid main(){\nfloat a=1.0; ${more}\ngl_FragColor=vec4(a*${x});}\n`;\n";
-        let expected = "const a = `\nvoid main() {\n    float a = 1.0; ${more}\n    \
-                        gl_FragColor = vec4(a * ${x});\n}\n`;\n";
-        assert_eq!(formatted("a.js", inside), expected);
+    fn shaders_in_other_texts_are_formatted() {
+        let cases = include_str!("formatted.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let case = case.replace('↵', "\n").replace('␂', "\u{feff}");
+            let (name, texts) = case.split_once(": ").unwrap();
+            let (text, expected) = texts.split_once(" ⇒ ").unwrap();
+            for text in [text, expected] {
+                let formatting = format(name, text, Claim::None, &Style::default()).unwrap();
+                assert_eq!(formatting.left, [], "{text}");
+                let found = apply_edits(text, 0, &formatting.edits);
+                assert_eq!(found.as_deref(), Ok(expected), "{text}");
+            }
+        }
     }
 
     #[test]
@@ -257,20 +243,6 @@ mod tests {
             formatted,
             two("void main() {\n    gl_FragColor = vec4(1.0);\n}")
         );
-    }
-
-    #[test]
-    fn formatted_exports_stay_valid_json_strings() {
-        let text = r#"{"info":{},"renderpass":[{"type":"image","code":"void mainImage(out vec4 c,in vec2 p)\n{\n\tc=vec4(1);\n}\n"}]}"#;
-        let expected = r#"{"info":{},"renderpass":[{"type":"image","code":"void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1);\n}\n"}]}"#;
-        assert_eq!(formatted("a.json", text), expected);
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_kept() {
-        let text = "\u{feff}\n#version 300 es\nvoid main(){}";
-        let expected = "\u{feff}#version 300 es\nvoid main() {}\n";
-        assert_eq!(formatted("a.frag", text), expected);
     }
 
     #[test]

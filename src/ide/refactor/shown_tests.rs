@@ -55,39 +55,13 @@ fn check_shown(text: &str) {
     assert_eq!(other, None, "{text}");
 }
 
+/// Each case is a shader with a bar at a variable.
 #[test]
 fn previewed_values_equal_those_of_a_run() {
-    let toy = |body: &str| {
-        format!(
-            "float f(vec2 p) {{ float d = length(p);\nfor (int i = 0; i < 4; i++) {{\nd = sin(d * 3.0);\n}}\nreturn d; }}
-            void mainImage(out vec4 fragColor, in vec2 fragCoord) {{
-            vec2 uv = fragCoord / iResolution.xy;
-            {body}
-            fragColor = vec4(uv, 0.0, 1.0); }}"
-        )
-    };
-    check_shown(&toy(
-        "float s = 0.2; if (uv.x > 0.5) return; s += uv.y;\n|s *= 2.0;",
-    ));
-    check_shown(&toy("float |s = f(uv);"));
-    check_shown(&toy("for (int i = 0; i < 3; i++) {\n|uv.x *= 0.7;\n}"));
-    check_shown(&toy(
-        "vec3 c = vec3(uv, 0.3); if (uv.y > 0.4) {\nc = vec3(1.0 - |uv,\n 0.0); }",
-    ));
-    check_shown(&toy("bool b = uv.x > uv.y;\nvec4 c = vec4(|b);"));
-    // In a function, also in the last of its calls.
-    let inside = toy("uv *= f(uv) + f(uv * 2.0);").replace("d = sin(d", "|d = sin(d");
-    check_shown(&inside);
-    check_shown(&toy("uv *= f(uv);").replace("f(vec2 p)", "f(vec2 |p)"));
-    // A host's `main` calls `mainImage`.
-    check_shown(&format!("#iUniform float a = 0.5\n{}", toy("|uv *= a;")));
-    // Complete shaders, and entry functions that return.
-    check_shown(
-        "#version 300 es\nprecision highp float;\nout vec3 color;\nvoid main() { float |x = gl_FragCoord.x / 64.0; color = vec3(1.0); }",
-    );
-    check_shown(
-        "precision highp float;\nvoid main() { vec2 x = gl_FragCoord.xy / 64.0;\ngl_FragColor = vec4(|x, 0.0, 1.0); }",
-    );
+    let cases = include_str!("shown.txt").lines();
+    for case in cases.filter(|case| !case.starts_with("# ")) {
+        check_shown(&case.replace('↵', "\n"));
+    }
 }
 
 #[test]
