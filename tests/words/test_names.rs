@@ -146,7 +146,7 @@ fn test_names_are_claims_without_refused_words() {
             ".rs",
             &["src", "rules", "tests", "fuzz", "benches"][..],
             of_rust as fn(&str) -> Vec<String>,
-            1000,
+            800,
         ),
         (".py", &["tests"], of_python, 180),
         (".js", &["tests"], of_script, 180),
