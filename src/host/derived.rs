@@ -117,43 +117,17 @@ fn converted(expression: &str, from: &str, feed: Feed, to: &str) -> Option<Strin
 mod tests {
     use crate::{Feed, preset};
 
-    #[track_caller]
-    fn check(host: &str, feed: Feed, ty: &str, expected: Option<&str>) {
-        let found = preset(host).unwrap().meanings.expression(feed, ty);
-        assert_eq!(found.as_deref(), expected);
-    }
-
+    /// Each case is a host, a meaning, a type, and the expression.
     #[test]
     fn missing_values_are_derived_from_names_of_the_host() {
-        check("hyprland", Feed::Time, "float", Some("time"));
-        check(
-            "hyprland",
-            Feed::Resolution,
-            "vec3",
-            Some("vec3(screen_size, 1.0)"),
-        );
-        check(
-            "hyprland",
-            Feed::Resolution,
-            "ivec2",
-            Some("ivec2(screen_size)"),
-        );
-        check(
-            "hyprland",
-            Feed::Aspect,
-            "float",
-            Some("screen_size.x / screen_size.y"),
-        );
-        check("hyprland", Feed::Frame, "int", None);
-        check("niri", Feed::Time, "float", None);
-        check("ghostty", Feed::Resolution, "vec2", Some("iResolution.xy"));
-        check("ghostty", Feed::Frame, "float", Some("float(iFrame)"));
-        check("ghostty", Feed::Mouse, "vec4", None);
-        check(
-            "xscreensaver",
-            Feed::Date,
-            "vec4",
-            Some("iDate - vec4(0.0, 1.0, 0.0, 0.0)"),
-        );
+        for case in include_str!("derived.txt").lines().skip(1) {
+            let (given, expected) = case.split_once(" ⇒ ").unwrap();
+            let [host, feed, ty] = given.split(' ').collect::<Vec<_>>()[..] else {
+                panic!("{case}");
+            };
+            let feed = Feed::ALL.iter().find(|f| f.name() == feed).expect(case);
+            let found = preset(host).unwrap().meanings.expression(*feed, ty);
+            assert_eq!(found.as_deref().unwrap_or("none"), expected, "{case}");
+        }
     }
 }

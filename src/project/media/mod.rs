@@ -71,48 +71,22 @@ pub fn is_gray(input: &Input) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    fn check(kind: InputKind, id: &str, src: &str, expected: &str) {
-        let mut input = Input::empty(0, kind);
-        (input.id, input.src) = (id.to_string(), src.to_string());
-        let found = stand_in(&input);
-        let message = found.map_or(String::new(), |s| {
-            format!("{} {} {:?}", s.generator.name, s.title, s.size)
-        });
-        assert_eq!(message, expected, "{id} {src}");
-    }
 
+    /// Each case is the kind of an input, its number, its path, and its placeholder.
     #[test]
     fn media_files_are_identified_by_id_or_path() {
-        use InputKind::{Buffer, Cubemap, Music, Texture, Video, Volume, Webcam};
-        let noise = "noise RGBA Noise Medium [256, 256, 1]";
-        check(Texture, "Xsf3zn", "", noise);
-        let path = "/media/a/f735bee5b64ef98879dc618b016ecf7939a5756040c2cde21ccb15e69a6e1cfb.png";
-        check(Texture, "17", path, noise);
-        check(Texture, "", "/presets/tex16.png", noise);
-        check(Texture, "", "/presets/tex166.png", "picture  [512, 512, 1]");
-        check(
-            Texture,
-            "",
-            "/somewhere/tex16.png",
-            "picture  [512, 512, 1]",
-        );
-        check(
-            Cubemap,
-            "",
-            "/presets/cube00_0.jpg",
-            "gallery Uffizi Gallery [512, 512, 1]",
-        );
-        check(Cubemap, "Xsf3zn", "", "sky  [256, 256, 1]");
-        check(
-            Volume,
-            "XdX3Rr",
-            "",
-            "noise_volume RGBA Noise3D [32, 32, 32]",
-        );
-        check(Video, "4sX3Rn", "", "film  [512, 396, 1]");
-        check(Music, "", "", "music  [1050, 672, 1]");
-        check(Buffer, "4dXGR8", "", "");
-        check(Webcam, "4sf3zn", "", "");
+        for case in include_str!("media.txt").lines().skip(1) {
+            let (given, expected) = case.split_once(" ⇒ ").unwrap();
+            let [kind, id, src] = given.split(" ‖ ").collect::<Vec<_>>()[..] else {
+                panic!("{case}");
+            };
+            let mut input = Input::empty(0, InputKind::of(kind).unwrap());
+            (input.id, input.src) = (id.to_string(), src.to_string());
+            let found = stand_in(&input).map_or("none".to_string(), |s| {
+                format!("{} {} {:?}", s.generator.name, s.title, s.size)
+            });
+            assert_eq!(found, expected, "{case}");
+        }
     }
 
     #[test]
