@@ -57,10 +57,10 @@ fn faulty_directives_are_reported_once_at_their_cause() {
     }
 }
 
-/// Whole shaders without their head, and the places and names of their errors.
+/// Complete shaders without their head, and the places and names of their errors.
 #[test]
-fn errors_of_whole_shaders_are_found() {
-    let cases = include_str!("whole.txt").lines();
+fn errors_of_complete_shaders_are_found() {
+    let cases = include_str!("complete.txt").lines();
     for case in cases.filter(|case| !case.starts_with("# ")) {
         let (code, expected) = case.split_once(" ⇒ ").unwrap();
         let reported = found(&code.replace('↵', "\n")).0.join(", ");

@@ -107,21 +107,6 @@ fn webgl1_shaders_are_converted() {
     );
 }
 
-#[test]
-fn functions_move_to_new_files() {
-    check(
-        &format!(
-            "// Twice.\nfloat |twice(float x) {{\n    return x * 2.0;\n}}\n{}",
-            in_main("color = vec4(twice(p.x));")
-        ),
-        "Move `twice` to `twice.glsl`",
-        &format!(
-            "#include \"twice.glsl\"\n{}--- /twice.glsl\n// Twice.\nfloat twice(float x) {{\n    return x * 2.0;\n}}\n",
-            in_main("color = vec4(twice(p.x));")
-        ),
-    );
-}
-
 /// Shaders in scripts and in exports.
 #[test]
 fn embedded_shaders_are_edited_in_place() {

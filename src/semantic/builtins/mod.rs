@@ -258,21 +258,10 @@ mod tests {
 
     #[test]
     fn built_ins_depend_on_the_stage_and_version() {
-        assert!(
-            Builtins::of(Version::Es300, Stage::Vertex)
-                .function("dFdx")
-                .is_none()
-        );
-        assert!(
-            Builtins::of(Version::Es100, Stage::Fragment)
-                .function("texture")
-                .is_none()
-        );
-        assert!(
-            Builtins::of(Version::Es100, Stage::Vertex)
-                .function("texture2DLod")
-                .is_some()
-        );
+        let has = |version, stage, name| Builtins::of(version, stage).function(name).is_some();
+        assert!(!has(Version::Es300, Stage::Vertex, "dFdx"));
+        assert!(!has(Version::Es100, Stage::Fragment, "texture"));
+        assert!(has(Version::Es100, Stage::Vertex, "texture2DLod"));
         let fragment = Builtins::of(Version::Es300, Stage::Fragment);
         assert_eq!(
             fragment.variable("gl_MaxDrawBuffers").map(|v| v.storage),
@@ -280,12 +269,8 @@ mod tests {
         );
         assert_eq!(fragment.variable("gl_DepthRange").map(|v| v.ty), Some(None));
         let old = Builtins::of(Version::Es100, Stage::Fragment);
-        assert_eq!(
-            old.variable("gl_FragData")
-                .and_then(|v| v.ty)
-                .map(|t| t.array),
-            Some(1)
-        );
+        let data = old.variable("gl_FragData").and_then(|v| v.ty);
+        assert_eq!(data.map(|t| t.array), Some(1));
     }
 
     #[test]
