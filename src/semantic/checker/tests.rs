@@ -2,8 +2,8 @@
 //! `problems.txt` too: each of its problems has a message.
 
 use super::*;
-use crate::Pass;
-use shaderlint_syntax::{ParseOptions, Search, parse, preprocess};
+use crate::{Completeness, Pass, Unit, check_shader};
+use shaderlint_syntax::Search;
 
 /// The enums of problems, and the files that define them.
 const SOURCES: [(&str, &str); 19] = [
@@ -87,24 +87,15 @@ fn check(stage: &str, code: &str) -> Vec<String> {
         sources.add("test", None, Role::User, format!("{head}{code}")),
     ];
     let files: Vec<_> = files.into_iter().flatten().collect();
-    let is_fragment = stage == Stage::Fragment;
-    let mut read = preprocess(&sources, &files, is_fragment);
-    let language = ParseOptions {
-        version: read.version,
-        is_fragment,
+    let unit = Unit {
+        sources: &Arc::new(sources),
+        files: &files,
+        stage,
+        dialect,
+        infer_channels: false,
+        completeness: Completeness::Complete,
     };
-    let search = &mut Search::for_text();
-    let parse = parse(&sources, &mut read.tokens, &read.names, language, search);
-    let parsed = ParsedShader {
-        has_errors: !parse.diagnostics.is_empty(),
-        sources: Arc::new(sources),
-        tokens: read.tokens,
-        names: read.names,
-        tree: parse.tree,
-        version: read.version,
-        enough: MAX_ERRORS,
-    };
-    let (_, problems) = super::check(parsed, stage, dialect, [None; 4], search);
+    let problems = check_shader(&unit, &mut Search::for_text()).problems;
     let kind = |p: &Problem| {
         let shown = format!("{:?}", p.what);
         shown.split_once('(').map_or("", |(_, of)| of).to_string()
