@@ -278,7 +278,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_of_other_languages_map_to_glsl_words() {
+    fn types_of_other_languages_map_to_glsl_types() {
         let cases = include_str!("foreign.txt").lines();
         for case in cases.filter(|case| !case.starts_with("# ")) {
             let (word, expected) = case.split_once(" ⇒ ").unwrap();
