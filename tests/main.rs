@@ -16,6 +16,7 @@ mod opening;
 mod other_languages;
 mod pages;
 mod port;
+mod programs;
 mod properties;
 mod recorded;
 mod renaming;

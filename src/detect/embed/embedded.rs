@@ -185,6 +185,29 @@ impl InsertedPart {
         joined
     }
 
+    /// Several texts, each in lines of its own, perhaps with a line break at the end or at the start.
+    pub(super) fn lines(all: Vec<InsertedPart>, ends: bool, starts: bool) -> InsertedPart {
+        let line = || InsertedPart::known("\n".to_string());
+        let count = all.len();
+        let mut parts = Vec::new();
+        for (index, part) in all.into_iter().enumerate() {
+            if index > 0 || starts {
+                parts.push(line());
+            }
+            parts.push(part);
+            if ends && index + 1 == count {
+                parts.push(line());
+            }
+        }
+        InsertedPart::several(parts)
+    }
+
+    /// The first and the last byte of the whole text, if it has any.
+    pub(super) fn ends(&self) -> Option<(u8, u8)> {
+        let text = self.joined();
+        Some((text.bytes().next()?, text.bytes().next_back()?))
+    }
+
     /// The text, if it may replace an expression in its place.
     pub(super) fn short(&self) -> Option<&str> {
         let is_short =

@@ -9,8 +9,8 @@ pub(super) struct Hole {
     pub range: Range<usize>,
     /// What is inserted.
     pub content: HoleContent,
-    /// Whether a longer text may be inserted there.
-    pub has_text: bool,
+    /// The first and the last byte of the text that may be inserted there.
+    pub inserted: Option<(u8, u8)>,
 }
 
 /// What is inserted.

@@ -40,7 +40,7 @@ pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> FilledHoles {
             HoleContent::Nothing => Some(String::new()),
             HoleContent::Expression(_) | HoleContent::Chosen(..) => None,
         };
-        if known.is_none() && hole.has_text && is_apart(bytes, &range) {
+        if known.is_none() && is_apart(bytes, hole) {
             filled.inserted.push(index);
             known = Some(String::new());
         }
@@ -57,13 +57,18 @@ pub(super) fn fill(bytes: &mut [u8], holes: &[Hole]) -> FilledHoles {
     filled
 }
 
-/// Whether a hole is outside of directives and touches no word, so that tokens may be inserted.
-fn is_apart(bytes: &[u8], range: &Range<usize>) -> bool {
+/// Whether a hole is outside of directives, and no word of its text touches another, so that tokens may be
+/// inserted.
+fn is_apart(bytes: &[u8], hole: &Hole) -> bool {
+    let Some((first, last)) = hole.inserted else {
+        return false;
+    };
+    let range = &hole.range;
     let before = range.start.checked_sub(1).and_then(|b| bytes.get(b));
     let is_tight = |byte: Option<&u8>| byte.is_some_and(|b| is_word(*b) || *b == b'.');
     let place = HolePlace::of(bytes, range);
-    !is_tight(before)
-        && !is_tight(bytes.get(range.end))
+    !(is_tight(before) && is_tight(Some(&first)))
+        && !(is_tight(bytes.get(range.end)) && is_tight(Some(&last)))
         && !place.line().trim_start().starts_with('#')
 }
 

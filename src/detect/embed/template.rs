@@ -97,7 +97,7 @@ impl<'a> TemplateScan<'a> {
                 self.found.push(Hole {
                     range: at..at + length,
                     content,
-                    has_text: false,
+                    inserted: None,
                 });
                 self.passed(at..at + length);
                 at += length;

@@ -466,28 +466,25 @@ impl JoinedBytes<'_, '_> {
                 self.set(range.end, b'\n');
             }
         }
-        let [first, .., last] = others else {
-            return match others {
-                [] => {}
-                [one] => {
-                    let value = self.texts.value(*one, self.depth + 1);
-                    let text = self
-                        .texts
-                        .tree
-                        .node(*one)
-                        .map_or("", |n| self.texts.slice(&n.span));
-                    self.put(range, text, value);
-                }
-                _ => {}
-            };
-        };
         let node = |id: &ScriptNodeId| self.texts.tree.node(*id).map_or(0..0, |n| n.span.clone());
+        let (Some(first), Some(last)) = (others.first(), others.last()) else {
+            return;
+        };
         let text = self.texts.slice(&(node(first).start..node(last).end));
         let values = others
             .iter()
             .map(|id| self.texts.value(*id, self.depth + 1));
         let values: Option<Vec<InsertedPart>> = values.collect();
-        self.put(range, text, values.map(InsertedPart::several));
+        let value = values.map(|mut values| match (values.len(), is_line) {
+            (1, _) if !(is_line && range.is_empty()) => values.remove(0),
+            (_, false) => InsertedPart::several(values),
+            // At the ends of the text, no literal contains the line break.
+            (_, true) => {
+                let is_first = range.is_empty() && range.start == self.start;
+                InsertedPart::lines(values, is_first, range.is_empty() && !is_first)
+            }
+        });
+        self.put(range, text, value);
     }
 
     fn put(&mut self, range: Range<usize>, expression: &str, value: Option<InsertedPart>) {
@@ -506,11 +503,11 @@ impl JoinedBytes<'_, '_> {
             Some((short, false)) => HoleContent::Known(short),
             None => HoleContent::Expression(expression),
         };
-        let has_text = value.as_ref().is_some_and(|v| !v.is_choice);
+        let inserted = value.as_ref().filter(|v| !v.is_choice);
         self.holes.push(Hole {
             range,
             content,
-            has_text,
+            inserted: inserted.and_then(InsertedPart::ends),
         });
         self.values.push(value);
     }

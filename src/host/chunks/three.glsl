@@ -1,6 +1,6 @@
 // What the chunks of three.js declare, set and read.
 //
-// `//# name` starts a chunk. One in a function is given by its effects: `vec3 a;` is a variable that it
+// A chunk starts with its name after `//#`. One in a function is given by its effects: `vec3 a;` is a variable it
 // declares and sets, `sets a b` and `reads a b` are variables of the code around it. `once a b` are names
 // that releases before this one declared there. The functions of the others have no bodies.
 //

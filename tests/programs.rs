@@ -1,0 +1,212 @@
+//! Shaders that live in a program: scripts insert texts into them, hand them to a library, import them from
+//! files.
+
+use crate::scratch::Scratch;
+use std::fs;
+use std::path::Path;
+
+/// Checks all findings in some files, each as `file:line:column: severity[rule]: message`.
+#[track_caller]
+fn check(files: &[(&str, &str)], expected: &[&str]) {
+    let scratch = Scratch::new(files);
+    let ran = scratch.run(&["-q", "--no-run", "--format", "short", "."]);
+    let lines = ran.out.lines();
+    let lines: Vec<&str> = lines
+        .map(|l| l.split_once("; ").map_or(l, |(l, _)| l))
+        .collect();
+    assert_eq!(lines, expected, "{files:?}");
+}
+
+const NOISE: &str = "export const noise = /* glsl */ `\nfloat noise(vec2 p) { return p.x; }\n`;\n\
+    export { fbm as fractal } from './fbm.js';\nexport default `#define TAU 6.28\\n`;\n";
+const FBM: &str = "import { noise } from './noise';\n\
+    export const fbm = `${noise}\nfloat fbm(vec2 p) { return noise(p) + 0.5; }\n`;\n";
+const LIGHT: &str = "vec3 light(vec3 n) { return vec3(n.x); }\n";
+
+/// A script that puts a shader together in each way, with a body for its `main`.
+fn script(body: &str) -> String {
+    format!(
+        "import tau, {{ fractal }} from './noise';\nimport light from './light.glsl?raw';\n\
+         const STEPS = 8;\nconst parts = {{ head: `precision highp float;` }};\n\
+         const all = [parts.head, 'uniform float time;', fractal, tau, light, main()].join('\\n');\n\
+         function main() {{\n  return `void main() {{\n{body}\n}}`;\n}}\ngl.shaderSource(shader, all);\n"
+    )
+}
+
+#[test]
+fn texts_from_constants_functions_and_modules_are_one_shader() {
+    let uses = "float x = fbm(vec2(time)) * TAU;\nfor (int i = 0; i < ${STEPS}; i++) x += 1.0;\n\
+        gl_FragColor = vec4(light(vec3(x)), 1.0);";
+    let modules = [("noise.ts", NOISE), ("fbm.ts", FBM), ("light.glsl", LIGHT)];
+    let run = |body: &str, expected: &[&str]| {
+        let main = script(body);
+        check(
+            &[&[("a.ts", main.as_str())], &modules[..]].concat(),
+            expected,
+        );
+    };
+    run(uses, &[]);
+    run(
+        &uses.replace("vec4(light(vec3(x)), 1.0)", "light(vec3(x))"),
+        &["a.ts:10:1: error[vector-size]: cannot assign `vec3` to `vec4`"],
+    );
+    run(
+        &uses.replace("fbm(", "fbn("),
+        &["a.ts:8:11: error[undeclared-name]: function `fbn` is not declared"],
+    );
+    run(
+        &uses.replace("light(vec3(x))", "light(x)"),
+        &["a.ts:10:27: error[vector-size]: expected `vec3` as argument 1 of `light`, found `float`"],
+    );
+}
+
+#[test]
+fn mistakes_in_inserted_texts_are_reported_once_where_they_are() {
+    let chunk = "const chunk = `float f(vec2 p) { return p; }`;\n";
+    let main = "`${chunk}\nvoid main() { gl_FragColor = vec4(f(vec2(1.0))); }`";
+    let script = format!("{chunk}const a = {main};\nconst b = {main};\n");
+    let error =
+        "a.js:1:34: error[vector-size]: expected return value of type `float`, found `vec2`";
+    check(&[("a.js", &script)], &[error]);
+}
+
+/// A fragment shader for three.js that hands its text to this class.
+fn three(class: &str, declared: &str, body: &str) -> String {
+    format!(
+        "import * as THREE from 'three';\nnew THREE.{class}({{ fragmentShader: `\n{declared}\n\
+         void main() {{\n{body}\n}}` }});\n"
+    )
+}
+
+#[test]
+fn chunks_of_a_host_complete_a_shader() {
+    let run = |declared: &str, body: &str, expected: &[&str]| {
+        check(
+            &[("a.js", &three("ShaderMaterial", declared, body))],
+            expected,
+        );
+    };
+    let common = "#include <common>";
+    let end = "#include <colorspace_fragment>";
+    run(
+        common,
+        &format!("gl_FragColor = vec4(pow2(PI));\n{end}"),
+        &[],
+    );
+    run(
+        common,
+        &format!("gl_FragColor = vec3(PI);\n{end}"),
+        &["a.js:5:1: error[vector-size]: cannot assign `vec3` to `vec4`"],
+    );
+    run(
+        common,
+        &format!("gl_FragColor = vec4(uFade);\n{end}"),
+        &["a.js:5:21: error[undeclared-name]: `uFade` is not declared"],
+    );
+    run(
+        common,
+        "gl_FragColor = vec4(1.0);\n#include <colorspce_fragment>",
+        &["a.js:6:11: error[bad-directive]: three.js has no chunk `colorspce_fragment`"],
+    );
+    // A variable that a chunk declares, sets or reads.
+    let map = "vec4 diffuseColor = vec4(1.0);\n#include <map_fragment>\n#include <opaque_fragment>";
+    run(
+        "#define USE_MAP",
+        &format!("vec3 outgoingLight = vec3(1.0);\n{map}"),
+        &[],
+    );
+    // Names of a group that the material may activate, and of other releases.
+    run(
+        "#include <uv_pars_fragment>",
+        "gl_FragColor = vec4(vMapUv, 1.0, 1.0);",
+        &[],
+    );
+    run(
+        common,
+        "gl_FragColor = vec4(linearToRelativeLuminance(vec3(1.0)));",
+        &[],
+    );
+}
+
+/// Each chunk is syntactically complete, so that nothing around it is left unchecked.
+#[test]
+fn each_chunk_leaves_the_text_around_it_checked() {
+    let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/host/chunks/three.glsl");
+    let table = fs::read_to_string(table).unwrap();
+    let chunks: Vec<(&str, &str)> = table
+        .split("//# ")
+        .skip(1)
+        .filter_map(|part| part.split_once('\n'))
+        .collect();
+    assert!(chunks.len() > 100);
+    let is_effect = |line: &str| line.starts_with("sets ") || line.starts_with("reads ");
+    let texts: Vec<(String, String)> = chunks
+        .iter()
+        .map(|(name, lines)| {
+            let include = format!("#include <{name}>");
+            let (outside, inside) = match lines.lines().any(is_effect) {
+                true => ("", include.as_str()),
+                false => (include.as_str(), ""),
+            };
+            let body = format!("gl_FragColor = vec3(0.0);\n{inside}");
+            (
+                format!("{name}.js"),
+                three("ShaderMaterial", outside, &body),
+            )
+        })
+        .collect();
+    let files: Vec<(&str, &str)> = texts
+        .iter()
+        .map(|(n, t)| (n.as_str(), t.as_str()))
+        .collect();
+    let scratch = Scratch::new(&files);
+    let out = scratch
+        .run(&["-q", "--no-run", "--format", "short", "."])
+        .out;
+    for (name, _) in &files {
+        let error = format!("{name}:5:1: error[vector-size]");
+        assert!(out.contains(&error), "{name}: {out}");
+    }
+}
+
+#[test]
+fn a_shader_file_is_read_as_the_scripts_that_import_it_use_it() {
+    let lacks = "varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(vUv, iTime, 1.0); }\n";
+    let error = "a.frag:2:40: error[undeclared-name]: `iTime` is not declared";
+    let warning = "a.frag:2:40: warning[undeclared-name]: `iTime` is not declared";
+    let top = ("package.json", "{}");
+    let run = |script: &str, expected: &[&str]| {
+        check(&[("a.frag", lacks), ("b.js", script), top], expected);
+    };
+    let import = "import { ShaderMaterial } from 'three';\nimport frag from './a.frag?raw';\n";
+    // Without a program, the text is a shader of an editor that declares the name.
+    check(&[("a.frag", lacks), top], &[]);
+    let hands_over = format!("{import}new ShaderMaterial({{ fragmentShader: frag }});\n");
+    run(&hands_over, &[error]);
+    let extends = format!(
+        "{import}class M extends ShaderMaterial {{ constructor() {{ super({{ fragmentShader: frag }}); }} }}\n"
+    );
+    run(&extends, &[error]);
+    // A function of the program may add to the text.
+    run(
+        &format!("{import}new ShaderMaterial({{ fragmentShader: f(frag) }});\n"),
+        &[warning],
+    );
+}
+
+#[test]
+fn functions_that_a_host_calls_are_checked_with_its_names() {
+    let effect = "uniform float strength;\n\
+        void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor) {\n\
+        outputColor = inputColor * strength * aspect;\n}\n";
+    let package = (
+        "package.json",
+        "{ \"dependencies\": { \"postprocessing\": \"6\", \"three\": \"0.187\" } }",
+    );
+    let script = "import { Effect } from 'postprocessing';\nimport frag from './a.frag';\n\
+        export class E extends Effect { constructor() { super('E', frag); } }\n";
+    check(&[("a.frag", effect), ("b.js", script), package], &[]);
+    let lacks = effect.replace("uniform float strength;", "");
+    let error = "a.frag:3:28: error[undeclared-name]: `strength` is not declared";
+    check(&[("a.frag", &lacks), ("b.js", script), package], &[error]);
+}
