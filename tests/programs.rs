@@ -56,7 +56,9 @@ fn texts_from_constants_functions_and_modules_are_one_shader() {
     );
     run(
         &uses.replace("light(vec3(x))", "light(x)"),
-        &["a.ts:10:27: error[vector-size]: expected `vec3` as argument 1 of `light`, found `float`"],
+        &[
+            "a.ts:10:27: error[vector-size]: expected `vec3` as argument 1 of `light`, found `float`",
+        ],
     );
 }
 

@@ -67,9 +67,9 @@ fn is_apart(bytes: &[u8], hole: &Hole) -> bool {
     let before = range.start.checked_sub(1).and_then(|b| bytes.get(b));
     let is_tight = |byte: Option<&u8>| byte.is_some_and(|b| is_word(*b) || *b == b'.');
     let place = HolePlace::of(bytes, range);
-    !(is_tight(before) && is_tight(Some(&first)))
-        && !(is_tight(bytes.get(range.end)) && is_tight(Some(&last)))
-        && !place.line().trim_start().starts_with('#')
+    let touches = is_tight(before) && is_tight(Some(&first))
+        || is_tight(bytes.get(range.end)) && is_tight(Some(&last));
+    !touches && !place.line().trim_start().starts_with('#')
 }
 
 /// Whether a hole is in an include directive.

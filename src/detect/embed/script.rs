@@ -320,6 +320,8 @@ mod tests {
             extract(text, 0, false, &NoModules, &mut found);
             found.iter().map(|s| s.has_holes).collect::<Vec<_>>()
         };
+        let sum = "const N = { max: 4 }; const s = `float a[${N.max + 1}]; void main() {}`;";
+        check(sum, &["float a[5           ]; void main() {}"]);
         let constant = "const PR = 'highp'; const s = `precision ${PR} float; void main() {}`;";
         check(constant, &["precision highp float; void main() {}"]);
         assert_eq!(holes(constant), [false]);

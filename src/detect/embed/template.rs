@@ -1,5 +1,5 @@
 //! Placeholders of template languages in shaders: `${x}`, `{{ x }}`, `{x}`, `[[x]]`, `<%= x %>`,
-//! `{% if x %}`, `@X@`, `%s`, `$x` and `__X__`.
+//! `{% if x %}`, `@X@`, `##X##`, `%s`, `$x`, `$(x)` and `__X__`.
 
 use super::hole::{Hole, HoleContent};
 use super::keyword::is_keyword;
@@ -11,7 +11,7 @@ const MAX_HOLE: usize = 1_000;
 
 /// The holes in a text, in source order. Anything that may be GLSL is not a hole.
 pub(super) fn holes(code: &str) -> Vec<Hole> {
-    let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[["];
+    let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[[", "##"];
     let is_candidate =
         marks.iter().any(|m| code.contains(m)) || has_braced(code) || has_lines(code);
     if !is_candidate {
@@ -143,6 +143,14 @@ impl<'a> TemplateScan<'a> {
         let rest = rest.get(..end.unwrap_or(0)).unwrap_or("");
         match rest.as_bytes().first()? {
             b'$' => dollar(rest),
+            b'#' => {
+                let name = word(rest.strip_prefix("##")?);
+                let is_closed = rest.get(name.len() + 2..)?.starts_with("##");
+                let before = at.checked_sub(1).and_then(|b| self.code.as_bytes().get(b));
+                let is_apart = !before.is_some_and(|b| is_word(*b));
+                let is_hole = is_apart && is_closed && !name.is_empty();
+                is_hole.then(|| (name.len() + 4, expression(name)))
+            }
             b'{' => self.braces(at, rest),
             b'<' => {
                 let inner = rest.strip_prefix("<%")?;
@@ -319,7 +327,7 @@ fn expression(text: &str) -> HoleContent {
     HoleContent::Expression(text.trim().to_string())
 }
 
-/// `${x}`, `$x` and `$x$`; `$` is not a GLSL character.
+/// `${x}`, `$(x)`, `$(x)s`, `$x` and `$x$`; `$` is not a GLSL character.
 fn dollar(rest: &str) -> Option<(usize, HoleContent)> {
     /// Maximum length of an expression in bytes.
     const MAX: usize = 2000;
@@ -334,6 +342,13 @@ fn dollar(rest: &str) -> Option<(usize, HoleContent)> {
             depth == 0
         })?;
         return Some((end + 3, expression(inner.get(..end)?)));
+    }
+    if let Some(inner) = rest.strip_prefix("$(") {
+        let end = inner.split('\n').next()?.find(')')?;
+        let after = inner.get(end + 1..)?;
+        let format = after.starts_with('s') && word(after) == "s";
+        let is_named = end > 0 && !inner.get(..end)?.contains('(');
+        return is_named.then(|| (end + 3 + usize::from(format), expression(inner)));
     }
     let name = rest.trim_start_matches('$');
     let marks = rest.len() - name.len();

@@ -282,6 +282,9 @@ impl<'s> Texts<'s> {
         let node = self.tree.node(id)?;
         match &node.kind {
             NodeKind::Number => number(self.slice(&node.span)).map(InsertedPart::known),
+            NodeKind::Sum => self
+                .sum(&node.children, depth)
+                .or_else(|| Some(self.inserted(self.joined_text(id, depth)?))),
             NodeKind::Name => self.value_of_name(self.slice(&node.span), node.span.start, depth),
             NodeKind::Member(name) => {
                 let object = *node.children.first()?;
@@ -332,6 +335,16 @@ impl<'s> Texts<'s> {
             BindingValue::Import(path, name) => self.modules.text(path, name),
             BindingValue::Unknown => None,
         }
+    }
+
+    /// The sum of numbers.
+    fn sum(&self, terms: &[ScriptNodeId], depth: usize) -> Option<InsertedPart> {
+        let mut total = 0.0;
+        for term in terms {
+            self.tree.node(*term).filter(|n| n.kind != NodeKind::Text)?;
+            total += self.value(*term, depth + 1)?.short()?.parse::<f64>().ok()?;
+        }
+        number(&total.to_string()).map(InsertedPart::known)
     }
 
     fn value_of_member(
