@@ -275,7 +275,7 @@ fn understand(
     drop(checked);
     part.readings
         .host(Arc::make_mut(sources), &presets, options)?;
-    part.readings.are_hosts_complete = presets.iter().all(|p| hosts.is_complete(p));
+    part.readings.are_hosts_complete = presets.iter().all(|p| hosts.is_complete(p, &part.readings));
     part.readings.is_guessed = !is_sure;
     part.readings.check(sources, part.infer_channels)
 }

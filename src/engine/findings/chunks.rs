@@ -10,6 +10,9 @@ use shaderlint_text::{Edit, Role, Span};
 /// Reports misspelled names of chunks. Other unknown names may be chunks of the program.
 pub fn report_unknown(shader: &mut ShaderCheck) {
     let readings = &shader.part.readings;
+    if readings.hosts.is_empty() || !readings.has_gaps() {
+        return;
+    }
     let mut hosts = presets().filter(|p| !p.chunks.is_empty() && p.base.is_none());
     let Some(host) = hosts.find(|p| readings.hosts.contains(&p.title)) else {
         return;

@@ -9,7 +9,7 @@ use shaderlint_detect::kind::file_extension;
 use shaderlint_host::{Preset, presets};
 use shaderlint_project::{NamesForOthers, counts, hash, imported_hosts, installed_hosts, meant};
 use shaderlint_text::path::plain;
-use std::cell::OnceCell;
+use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -66,10 +66,12 @@ impl<'a> Hosts<'a> {
                 .take(MAX_HOSTS)
                 .collect()
         };
-        let imported = self.imported().iter();
+        // Scripts that import a part of a shader put it together.
+        let is_called = readings.holds_entry() || self.script.is_some();
+        let imported = if is_called { self.imported() } else { &[] };
         let installed = self.installed().iter();
-        let others = installed.filter(|p| !self.imported().iter().any(|i| i.name == p.name));
-        let around: Vec<_> = imported.chain(others).copied().collect();
+        let others = installed.filter(|p| !imported.iter().any(|i| i.name == p.name));
+        let around: Vec<_> = imported.iter().chain(others).copied().collect();
         let around = || around.iter().copied();
         // A function that only this host calls.
         let calls = |p: &&Preset| p.entries.iter().any(|e| e != "main" && readings.defines(e));
@@ -78,8 +80,8 @@ impl<'a> Hosts<'a> {
             return (by_entry, true);
         }
         // A program of its own does not run in a site or a tool.
-        let is_program = self.is_in_program();
-        let may_run = |p: &Preset| !is_program || !p.packages.is_empty() || !p.globals.is_empty();
+        let is_program = LazyCell::new(|| self.is_in_program());
+        let may_run = |p: &Preset| !p.packages.is_empty() || !p.globals.is_empty() || !*is_program;
         let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name)) && may_run(p);
         let by_word = some(&mut presets().filter(named));
         if !by_word.is_empty() {
@@ -150,10 +152,11 @@ impl<'a> Hosts<'a> {
 
     /// Whether this host gives the texts no other names: the script that contains them says so, or all that
     /// import the file hand it on unchanged.
-    pub fn is_complete(&self, host: &Preset) -> bool {
+    pub fn is_complete(&self, host: &Preset, readings: &Readings) -> bool {
         match &self.script {
             Some(script) => host.is_complete_in(script),
             None if host.is_complete => true,
+            None if !readings.holds_entry() && !readings.is_called => false,
             None => {
                 let all = self.importers();
                 !all.is_empty()

@@ -1,5 +1,6 @@
 //! A cache of files and folders, so that each is read once per run.
 
+use super::imports::ShaderImports;
 use super::passes::Passes;
 use super::repository::{RepositoryWords, top};
 use super::scan::IncludedFile;
@@ -21,6 +22,8 @@ pub struct FileCache {
     tops: Mutex<HashMap<PathBuf, Arc<PathBuf>>>,
     /// By root of a repository: the words in its code.
     words: Mutex<HashMap<PathBuf, Arc<OnceLock<RepositoryWords>>>>,
+    /// By root of a repository: the shaders that its scripts import.
+    imports: Mutex<HashMap<PathBuf, Arc<OnceLock<ShaderImports>>>>,
 }
 
 impl FileCache {
@@ -80,7 +83,13 @@ impl FileCache {
 
     /// The scripts of the repository that import a shader file.
     pub fn importers(&self, file: &Path, files: &dyn Files) -> Vec<PathBuf> {
-        self.of_repository(file, files, |words| words.importers(file).to_vec())
+        files.depends_on(Dependency::Repository);
+        let top = self.top(file, files);
+        let imports = kept(&self.imports, &top, OnceLock::new);
+        imports
+            .get_or_init(|| ShaderImports::under(&top, files))
+            .of(file)
+            .to_vec()
     }
 
     /// Whether a program in the repository may write `#version` before shaders.

@@ -119,14 +119,16 @@ enum DeclarationPlace {
 fn declarations<'t>(text: &'t str, from: DeclarationPlace, found: &mut Vec<&'t str>) {
     let is_type = |word: &str| {
         let class = |version| classify(word, version);
-        word == "void"
-            || matches!(class(Version::Es300), WordClass::Type(_))
-            || matches!(class(Version::Es100), WordClass::Type(_))
+        // No type starts with another letter.
+        word.starts_with(['b', 'f', 'i', 'm', 's', 'u', 'v'])
+            && (word == "void"
+                || matches!(class(Version::Es300), WordClass::Type(_))
+                || matches!(class(Version::Es100), WordClass::Type(_)))
     };
     let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
     // Whether a list of declarators is open.
     let mut in_list = false;
-    let (mut before, mut qualified) = ("", false);
+    let (mut before, mut qualified, mut after_type) = ("", false, false);
     let (mut end, mut open) = (0, 0_u32);
     for word in names(text) {
         let start = place(word);
@@ -140,9 +142,10 @@ fn declarations<'t>(text: &'t str, from: DeclarationPlace, found: &mut Vec<&'t s
             }
         }
         let is_plain = !is_type(word);
+        let before_is_type = std::mem::replace(&mut after_type, !is_plain);
         let is_adjacent = between.is_empty();
         let is_macro = before == "define" && is_adjacent;
-        let follows_type = is_adjacent && (is_type(before) || before == "struct");
+        let follows_type = is_adjacent && (before_is_type || before == "struct");
         let continues = in_list && between.ends_with(',') && is_declarator_end(between);
         let is_declared = is_plain && (is_macro || follows_type || qualified && is_adjacent);
         in_list = is_declared || continues && is_plain;

@@ -1,15 +1,15 @@
 //! The words of a repository: whether another of its files contains a name.
 
 use super::for_others::NamesForOthers;
-use super::imports::imported_shaders;
 use super::words::{GLSL, hash, is_glsl, words};
 use crate::files::{FileType, Files};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_text::path::plain;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// Maximum number of files that are read.
 const MAX_FILES: usize = 20_000;
@@ -28,6 +28,39 @@ const CODE: &[&str] = &[
     "java", "kt", "swift", "go", "dart", "py", "rb", "php", "lua", "hx", "pde", "gd", "zig",
 ];
 
+/// A file that declares names for shaders, or shows how they are compiled, contains one of these.
+const SIGN_WORDS: &[&str] = &[
+    "float",
+    "vec2",
+    "vec3",
+    "vec4",
+    "mat2",
+    "mat3",
+    "mat4",
+    "ivec2",
+    "ivec3",
+    "ivec4",
+    "sampler2D",
+    "samplerCube",
+    "uniform",
+    "uniforms",
+    "varying",
+    "attribute",
+    "defines",
+    "shader",
+    "shaders",
+    "Shader",
+    "glsl",
+    "fragmentShader",
+    "vertexShader",
+    "shaderSource",
+    "onBeforeCompile",
+    "version",
+];
+
+/// The hashes of [`SIGN_WORDS`].
+static SIGNS: OnceLock<FxHashSet<u64>> = OnceLock::new();
+
 /// Stands for several files that contain a word.
 const SEVERAL: u32 = u32::MAX;
 
@@ -44,8 +77,8 @@ struct Programs {
 struct WordFiles(HashMap<u64, u32, BuildHasherDefault<HashedBefore>>);
 
 impl WordFiles {
-    fn add(&mut self, word: &str, number: u32) {
-        let file = self.0.entry(hash(word)).or_insert(number);
+    fn add(&mut self, hash: u64, number: u32) {
+        let file = self.0.entry(hash).or_insert(number);
         if *file != number {
             *file = SEVERAL;
         }
@@ -72,8 +105,6 @@ pub struct RepositoryWords {
     /// Whether a program puts declarations together from parts.
     writes_declarations: bool,
     files: FxHashMap<PathBuf, u32>,
-    /// By shader file: the scripts that import it.
-    importers: FxHashMap<PathBuf, Vec<PathBuf>>,
     /// Whether all code was read.
     pub is_all: bool,
     /// Whether a program may write `#version` before shaders: it contains `#version`, or passes
@@ -88,72 +119,48 @@ impl RepositoryWords {
             is_all: true,
             ..RepositoryWords::default()
         };
-        let mut folders = VecDeque::from([root.to_path_buf()]);
-        let (mut names, mut bytes) = (0, 0);
         let mut programs = Programs::default();
-        while let Some(folder) = folders.pop_front() {
-            let mut inside = files.names(&folder);
-            inside.sort_unstable();
-            let has_source = inside.iter().any(|n| n == "src");
-            for name in &inside {
-                names += 1;
-                if names > MAX_NAMES || bytes > MAX_BYTES || found.files.len() > MAX_FILES {
-                    found.is_all = false;
-                    return found;
-                }
-                let extension = file_extension(name);
-                let is_code = [GLSL, CODE]
-                    .iter()
-                    .any(|all| all.contains(&extension.as_str()));
-                let path = folder.join(name);
-                if is_code && !name.contains(".min.") {
-                    bytes += found.read((path, root), &mut programs, files);
-                } else if !is_code
-                    && !is_passed_over(name, has_source)
-                    && files.entry(&path) == Some(FileType::Folder)
-                {
-                    folders.push_back(path);
-                }
-            }
-        }
+        let is_code = |extension: &str| [GLSL, CODE].iter().any(|all| all.contains(&extension));
+        found.is_all = visit(root, files, is_code, &mut |path| {
+            found.read(path, &mut programs, files)
+        });
         found.adds_version = programs.hold_version || programs.any && !programs.hand_over;
         found
     }
 
     /// Reads a file and returns its length in bytes.
-    fn read(
-        &mut self,
-        (path, root): (PathBuf, &Path),
-        programs: &mut Programs,
-        files: &dyn Files,
-    ) -> usize {
+    fn read(&mut self, path: PathBuf, programs: &mut Programs, files: &dyn Files) -> usize {
         let Ok(text) = files.load(&path) else {
             return 0;
         };
         let name = path.to_string_lossy();
-        if !is_glsl(&file_extension(&name)) {
-            programs.any = true;
+        let number = self.files.len() as u32;
+        let signs = SIGNS.get_or_init(|| SIGN_WORDS.iter().map(|word| hash(word)).collect());
+        let mut is_about_shaders = false;
+        for word in words(&text) {
+            let hash = hash(word);
+            is_about_shaders |= signs.contains(&hash);
+            self.words.add(hash, number);
+        }
+        let is_program = !is_glsl(&file_extension(&name));
+        programs.any |= is_program;
+        let length = text.len();
+        if !is_about_shaders {
+            self.files.insert(path, number);
+            return length;
+        }
+        if is_program {
             programs.hand_over |= text.contains(".shaderSource(");
             programs.hold_version |= text.contains("#version 300");
-            for shader in imported_shaders(&text, &path, root) {
-                self.importers.entry(shader).or_default().push(path.clone());
-            }
         }
-        let number = self.files.len() as u32;
-        words(&text).for_each(|word| self.words.add(word, number));
         let found = NamesForOthers::of(&name, &text);
         let declared = found.declared.into_iter();
-        declared.for_each(|word| self.declared.add(word, number));
+        declared.for_each(|word| self.declared.add(hash(word), number));
         let lacked = found.lacked.into_iter();
-        lacked.for_each(|word| self.lacked.add(word, number));
+        lacked.for_each(|word| self.lacked.add(hash(word), number));
         self.writes_declarations |= found.writes_declarations;
         self.files.insert(path, number);
-        text.len()
-    }
-
-    /// The scripts that import a shader file, in the order in which they were read.
-    pub fn importers(&self, file: &Path) -> &[PathBuf] {
-        self.importers.get(file).map_or(&[], Vec::as_slice)
+        length
     }
 
     /// Whether a word appears in a file other than this one.
@@ -176,6 +183,41 @@ impl std::fmt::Debug for RepositoryWords {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} words", self.words.0.len())
     }
+}
+
+/// Calls a function, which returns how many bytes it has read, for each file under a folder with one of some
+/// extensions, except for dependencies and build output. Whether all were visited.
+pub fn visit(
+    root: &Path,
+    files: &dyn Files,
+    is_meant: impl Fn(&str) -> bool,
+    read: &mut dyn FnMut(PathBuf) -> usize,
+) -> bool {
+    let mut folders = VecDeque::from([root.to_path_buf()]);
+    let (mut names, mut bytes, mut count) = (0, 0, 0);
+    while let Some(folder) = folders.pop_front() {
+        let mut inside = files.names(&folder);
+        inside.sort_unstable();
+        let has_source = inside.iter().any(|n| n == "src");
+        for name in &inside {
+            names += 1;
+            if names > MAX_NAMES || bytes > MAX_BYTES || count > MAX_FILES {
+                return false;
+            }
+            let is_code = is_meant(&file_extension(name));
+            let path = folder.join(name);
+            if is_code && !name.contains(".min.") {
+                bytes += read(path);
+                count += 1;
+            } else if !is_code
+                && !is_passed_over(name, has_source)
+                && files.entry(&path) == Some(FileType::Folder)
+            {
+                folders.push_back(path);
+            }
+        }
+    }
+    true
 }
 
 /// The root of the repository that contains a file: the folder with version control, otherwise the
