@@ -212,3 +212,27 @@ fn functions_that_a_host_calls_are_checked_with_its_names() {
     let error = "a.frag:3:28: error[undeclared-name]: `strength` is not declared";
     check(&[("a.frag", &lacks), ("b.js", script), package], &[error]);
 }
+
+#[test]
+fn a_macro_that_the_script_defines_is_not_missing() {
+    let shader = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
+        void main() {\nfor (int i = 0; i < STEPS; i++) color += vec4(0.1);\n}\n";
+    let script = |defines: &str| {
+        format!("import frag from './a.frag';\nnew Material({{ frag, {defines} }});\n")
+    };
+    let defines = script("defines: { STEPS: steps.toString() }");
+    check(
+        &[
+            ("a.frag", shader),
+            ("b.js", &defines),
+            ("package.json", "{}"),
+        ],
+        &[],
+    );
+    let error = "a.frag:5:21: error[undeclared-name]: `STEPS` is not declared";
+    let other = script("steps: 3");
+    check(
+        &[("a.frag", shader), ("b.js", &other), ("package.json", "{}")],
+        &[error],
+    );
+}

@@ -32,7 +32,7 @@ pub use dialect::{
 pub use draw::{PassDraw, SizeTerm};
 pub use files::family::{Family, common_of, family, is_common};
 pub use files::file_cache::FileCache;
-pub use files::for_others::NamesForOthers;
+pub use files::for_others::{NamesForOthers, macros};
 pub use files::imports::{imports, meant};
 pub use files::scan::{IncludedChunk, chunks_in};
 pub use files::words::{counts, hash};

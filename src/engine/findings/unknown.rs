@@ -9,7 +9,7 @@ use super::typo::{Vocabulary, is_typo, variables};
 use crate::hosts::host::Hosts;
 use crate::shader::reading::code_of;
 use crate::shader::shader_input::ShaderInput;
-use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Fix, Lack, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::{matches_any, was_in_chunk};
 use shaderlint_semantic::{BuiltinId, Completeness};
@@ -34,7 +34,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         report_inactive(checked, &vocabulary, hosts);
     }
     if checked.completeness == Completeness::Complete {
-        return;
+        return leave_macros(checked, hosts);
     }
     let mut unknown = checked.open.unknown.clone();
     if !unknown.is_empty() {
@@ -90,6 +90,23 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     }
     checked.diagnostics.append(&mut mistakes);
     sort(&mut checked.diagnostics);
+}
+
+/// Leaves open what a script defines as a macro of a complete shader, which its host inserts after
+/// `#version`.
+fn leave_macros(checked: &mut Checked, hosts: &Hosts) {
+    let sources = &checked.program.sources;
+    let is_macro =
+        |d: &Diagnostic| d.lacks() == Some(Lack::Name) && hosts.is_given(sources.text(d.span));
+    let all = std::mem::take(&mut checked.diagnostics);
+    let (macros, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_macro);
+    checked.diagnostics = others;
+    if !macros.is_empty() {
+        let names = macros.iter().map(|d| sources.text(d.span).to_string());
+        checked.open.names.extend(names);
+        checked.open.unknown.extend(macros);
+        checked.completeness = Completeness::Chunk;
+    }
 }
 
 fn sort(diagnostics: &mut [Diagnostic]) {

@@ -7,7 +7,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::embed::{DocumentLanguage, ParsedScript};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_host::{Preset, presets};
-use shaderlint_project::{NamesForOthers, counts, hash, imported_hosts, installed_hosts, meant};
+use shaderlint_project::{
+    NamesForOthers, counts, hash, imported_hosts, installed_hosts, macros, meant,
+};
 use shaderlint_text::path::plain;
 use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
@@ -197,6 +199,12 @@ impl<'a> Hosts<'a> {
             .is_elsewhere(word, &file, files);
         // Files that were not read may declare it.
         is_elsewhere || !is_all
+    }
+
+    /// Whether a script around the text gives a value for a name that it inserts as a macro.
+    pub fn is_given(&self, name: &str) -> bool {
+        let gives = |text: &str| text.contains("define") && macros(text).contains(&name);
+        self.scripts().iter().any(|(_, text)| gives(text))
     }
 
     /// Whether the scripts around a complete text that uses a word `count` times may declare it.

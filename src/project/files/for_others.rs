@@ -164,9 +164,25 @@ fn is_declarator_end(between: &str) -> bool {
     rest.is_empty() || rest.starts_with('[') && rest.ends_with(']')
 }
 
+/// The macros that a script defines.
+pub fn macros(text: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    after(text, &["defines", "define("], &mut found);
+    found
+}
+
 /// The names for which a script gives a text: macros that it defines, words that it replaces.
 fn given<'t>(text: &'t str, found: &mut Vec<&'t str>) {
-    for word in ["defines", "define(", "replace(", "replaceAll("] {
+    after(
+        text,
+        &["defines", "define(", "replace(", "replaceAll("],
+        found,
+    );
+}
+
+/// The names in the brackets after some words.
+fn after<'t>(text: &'t str, starts: &[&str], found: &mut Vec<&'t str>) {
+    for word in starts {
         for (at, _) in text.match_indices(word) {
             let after = text.get(at + word.len()..).unwrap_or("");
             found.extend(names(cut(after)));
