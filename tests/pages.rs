@@ -411,7 +411,7 @@ fn pages_of_hosts_are_up_to_date() {
         varying vec2 vPlace; // = port_place, own\n#endif\n```\n\n\
         The header has a title, a description and facts: `base` (the host that it extends), `version` (`any`, `own`, `desktop`, \
         `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), \
-        `uniforms` (`all`: a shader that declares other uniforms is for another host; `some`), `entry`, `include`, `hole`, `package`, \
+        `uniforms` (`all`: a shader that declares other uniforms is for another host; `some`), `entry`, `include`, `hole`, `chunks` (`three.js`: those of that library), `package`, \
         `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`, \
         `refuses` (what it does not accept: {limits}), `setters` (`dart`: an application sets the uniforms by their order), \
         `programs` (how many shaders it runs, which read each other).\n\n\

@@ -236,3 +236,42 @@ fn a_macro_that_the_script_defines_is_not_missing() {
         &[error],
     );
 }
+
+/// Scripts that no recursive parser has room for, and long ones, are answered, and their shaders are found.
+#[test]
+fn deep_and_long_scripts_are_answered() {
+    let shader = "const s = `void main() { gl_FragColor = vec3(1.0); }`;\n";
+    let nested =
+        |open: &str, close: &str| format!("x = {}1{}", open.repeat(20_000), close.repeat(20_000));
+    let rests = [
+        nested("(", ")"),
+        nested("`${", "}`"),
+        nested("<a b={", "}/>"),
+        nested("a => ", ""),
+        nested("'a' + ", ""),
+        nested("a ? b : ", ""),
+        "if (a); else ".repeat(20_000) + ";",
+        "while (a) ".repeat(20_000) + ";",
+        format!("namespace {}A {{}}", "A.".repeat(20_000)),
+        format!("type T = {}A", "keyof ".repeat(20_000)),
+        format!("x = `{}", "${`".repeat(20_000)),
+        "const a = `${b}x`; const b = `${a}y`;".to_string(),
+    ];
+    let names: Vec<String> = (0..rests.len())
+        .map(|index| format!("{index}.tsx"))
+        .collect();
+    let texts: Vec<String> = rests
+        .iter()
+        .map(|rest| format!("{shader}{rest}\n"))
+        .collect();
+    let files = names.iter().zip(&texts);
+    let files: Vec<(&str, &str)> = files.map(|(n, t)| (n.as_str(), t.as_str())).collect();
+    let scratch = Scratch::new(&files);
+    let mut arguments = vec!["-q", "--no-run", "--format", "short"];
+    arguments.extend(names.iter().map(String::as_str));
+    let out = scratch.run(&arguments).out;
+    for name in &names {
+        let found = format!("{name}:1:26: error[vector-size]");
+        assert!(out.contains(&found), "{name}: {out}");
+    }
+}

@@ -37,6 +37,8 @@ pub fn extract(
         }
         let root = script.texts.root(id);
         let context = LiteralContext::of(text, &script.texts, root, id);
+        // Each expression is read once, however many literals it has.
+        done = tree.node(root).map_or(done, |n| n.span.end.max(done));
         if !script.may_hold(root, &context) {
             continue;
         }
