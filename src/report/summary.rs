@@ -286,9 +286,9 @@ impl Summary {
         ];
         let all = all.iter().filter(|(n, _)| *n > 0);
         let all: Vec<String> = all.map(|(n, one)| count(*n, one)).collect();
-        let all = match (all.is_empty(), self.open_names.len()) {
+        let all = match (all.is_empty(), self.parts) {
             (true, 0) => return None,
-            (true, names) => format!("{} of a host", count(names, "name")),
+            (true, files) => count(files, "file"),
             _ => all.join(", "),
         };
         let is_open = self.parts > 0 || !self.open_functions.is_empty();

@@ -107,7 +107,7 @@ module.exports = function check(module, args) {
   const shape = isPassed ? "short" : format;
   for (const input of inputs.filter(({ isDone }) => !isDone)) {
     const report = ask(input, (all) => module.report(input.text, { ...all, format: shape }));
-    if (report) print(summary.add(report, input.name));
+    if (report) print(summary.add(report));
   }
   if (SUMMED.includes(shape) && args.quiet === 0) print(summary.lines());
   const limit = args["deny-warnings"] ? 0 : Number(args["max-warnings"] ?? Infinity);

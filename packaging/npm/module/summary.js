@@ -2,16 +2,7 @@
 "use strict";
 
 const FIRST = /^(Found .*|No findings in .*\(.*|All checks passed \(.*|No shaders found in )\b1 file\b/;
-/** Maximum number of names in a line. */
-const MAX_NAMES = 5;
-
 const count = (number, one) => `${number} ${one}${number === 1 ? "" : "s"}`;
-
-/** Names, and how many there are. */
-function list(names, total) {
-  const more = total > MAX_NAMES ? [`${total - MAX_NAMES} more`] : [];
-  return [...names.slice(0, MAX_NAMES), ...more].join(", ");
-}
 
 /** Adds up what files have. */
 exports.Summary = class {
@@ -21,11 +12,11 @@ exports.Summary = class {
   fixed = 0;
   #files = 0;
   #holding = 0;
-  /** The last lines of the files, each with the name of its file. */
+  /** The last lines of the files. */
   #lines = [];
 
   /** Adds a report; returns its output without the last lines. */
-  add({ output, errors, warnings, infos }, name) {
+  add({ output, errors, warnings, infos }) {
     this.errors += errors;
     this.warnings += warnings;
     this.infos += infos;
@@ -34,15 +25,15 @@ exports.Summary = class {
     const first = lines.findLastIndex((line) => FIRST.test(line));
     if (first < 0) return output;
     this.#holding += /\(\d+ shader/.test(lines[first]) ? 1 : 0;
-    this.#lines.push(...lines.splice(first).filter(Boolean).map((line) => [line, name]));
+    this.#lines.push(...lines.splice(first).filter(Boolean));
     return lines.length > 0 ? `${lines.join("\n")}\n` : "";
   }
 
   /** The lines that match, as what the first group matches. */
   #all(pattern) {
-    return this.#lines.flatMap(([line, name]) => {
+    return this.#lines.flatMap((line) => {
       const match = pattern.exec(line);
-      return match ? [{ number: Number(match[1]), line, name }] : [];
+      return match ? [{ number: Number(match[1]), line }] : [];
     });
   }
 
@@ -60,7 +51,7 @@ exports.Summary = class {
     const found = kinds.filter(([number]) => number > 0).map(([number, kind]) => count(number, kind));
     if (found.length > 0) return `Found ${found.join(", ")} ${scope}`;
     if (shaders === 0) return `No shaders found in ${files}`;
-    const isIncomplete = this.#all(/^(Rules|1 file is)/).length > 0;
+    const isIncomplete = this.#all(/^(Not fully checked)/).length > 0;
     return `${isIncomplete ? "No findings in what could be checked" : "All checks passed"} ${scope}`;
   }
 
@@ -71,14 +62,16 @@ exports.Summary = class {
     return `${fixable} fixable with --fix${more > 0 ? `, ${more} more with --unsafe-fixes` : ""}`;
   }
 
-  /** The lines about functions that rules skipped. */
-  #functions(cause) {
-    const pattern = new RegExp(`^Rules skipped (\\d+) functions? ${cause}: `);
-    const found = this.#all(pattern);
-    const total = this.#sum(pattern);
-    const place = (name) => (this.#files === 1 ? "" : ` in ${name}`);
-    const named = ({ line, name }) => line.match(/`[^`]*`/g).map((each) => each + place(name));
-    return total > 0 && `Rules skipped ${count(total, "function")} ${cause}: ${list(found.flatMap(named), total)}`;
+  /** The line about what was not checked. */
+  #unchecked() {
+    const sum = (one) => this.#sum(new RegExp(`^Not fully checked: .*?\\b(\\d+) ${one}`));
+    const kinds = ["function", "shader", "excerpt"].map((one) => [sum(one), one]).filter(([number]) => number > 0);
+    const files = sum("file");
+    if (kinds.length === 0 && files > 0) kinds.push([files, "file"]);
+    if (kinds.length === 0) return "";
+    const hosts = this.#all(/^Not fully checked: .*(; set `\[host\]`.*)/);
+    const help = hosts.length > 0 ? /; set .*/.exec(hosts[0].line)[0] : "";
+    return `Not fully checked: ${kinds.map(([number, one]) => count(number, one)).join(", ")} (-v lists them)${help}`;
   }
 
   /** All lines. */
@@ -88,24 +81,7 @@ exports.Summary = class {
     const info = this.errors + this.warnings + this.infos > 0 ? "more info" : "info";
     const fixed = this.fixed > 0 && `fixed ${count(this.fixed, "finding")}`;
     const first = [this.#first(), fixed, this.#fixes(), infos > 0 && `${count(infos, info)}: --info`];
-    const shaders = this.#sum(/^Rules skipped (\d+) shaders? with errors outside/);
-    const excerpts = this.#sum(/^Rules skipped (\d+) incomplete excerpt/);
-    const parts = this.#all(/^(1) file is a shader fragment using names/);
-    const names = new Set(parts.flatMap(({ line }) => line.replace(/;.*/, "").match(/`[^`]*`/g)));
-    // Files name five; further names of two files may be the same.
-    const hidden = parts.map(({ line }) => Number(/, (\d+) more;/.exec(line)?.[1] ?? 0));
-    const total = names.size + hidden.reduce((sum, number) => sum + number, 0);
-    const which = parts.length === 1 ? "1 file is a shader fragment" : `${parts.length} files are shader fragments`;
-    const lines = [
-      first.filter(Boolean).join("; "),
-      this.#functions("with errors"),
-      this.#functions("with errors or unknown names"),
-      shaders > 0 && `Rules skipped ${count(shaders, "shader")} with errors outside functions`,
-      excerpts > 0 && `Rules skipped ${count(excerpts, "incomplete excerpt")}`,
-      parts.length > 0 &&
-        `${which} using names from a host: ${list([...names].sort(), total)}; ` +
-        "set `[host]` in shaderlint.toml to check them",
-    ];
+    const lines = [first.filter(Boolean).join("; "), this.#unchecked()];
     return lines.filter(Boolean).map((line) => `${line}\n`).join("");
   }
 };

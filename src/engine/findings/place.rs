@@ -2,6 +2,7 @@
 
 use super::report::Report;
 use crate::shader::analysis::Analysis;
+use shaderlint_detect::embed::Embedded;
 use shaderlint_text::{Edit, Span};
 
 impl Report {
@@ -61,7 +62,10 @@ impl Report {
         let is_composed = self.embedded.is_empty() && self.analyses.len() == 1;
         let is_shared = self.export.is_some() || is_composed;
         // A script may insert text into a shader.
-        let is_shared = is_shared || !self.embedded.is_empty();
+        let offset = self.file.and_then(|id| self.sources.file(id));
+        let offset = offset.map_or(0, |file| address.saturating_sub(file.base) as usize);
+        let is_inside = |e: &Embedded| (e.start..=e.end()).contains(&offset);
+        let is_shared = is_shared || self.embedded.iter().any(is_inside);
         let shared = || self.analyses.iter().find(reads).filter(|_| is_shared);
         self.analyses.iter().find(ends_here).or_else(shared)
     }
