@@ -128,6 +128,7 @@ fn chunks_of_a_host_complete_a_shader() {
         "gl_FragColor = vec4(linearToRelativeLuminance(vec3(1.0)));",
         &[],
     );
+    run("", "gl_FragColor = LinearTosRGB(vec4(1.0));", &[]);
 }
 
 /// Each chunk is syntactically complete, so that nothing around it is left unchecked.
@@ -274,4 +275,16 @@ fn deep_and_long_scripts_are_answered() {
         let found = format!("{name}:1:26: error[vector-size]");
         assert!(out.contains(&found), "{name}: {out}");
     }
+}
+
+#[test]
+fn placeholders_in_complete_shaders_are_no_mistakes() {
+    let shader = |size: &str, line: &str| {
+        format!(
+            "#version 300 es\nprecision highp float;\nuniform float a[{size}];\n{line}\nout vec4 color;\n\
+            void main() {{ color = vec4(a[0]); }}\n"
+        )
+    };
+    check(&[("a.frag", &shader("%%count%%", "##DEFINES##"))], &[]);
+    check(&[("a.frag", &shader("$(count)", ""))], &[]);
 }

@@ -327,7 +327,11 @@ impl<W: Write> Reporter<W> {
             Format::Json => json::end(&mut self.out, &self.summary)?,
             Format::Human => self.sum_up()?,
             Format::Agent | Format::Tool => {
-                self.end = ReportEnd::Details;
+                self.end = match self.end {
+                    ReportEnd::Details => ReportEnd::Details,
+                    _ if self.format == Format::Tool => ReportEnd::Details,
+                    _ => ReportEnd::All,
+                };
                 self.sum_up()?;
             }
             Format::Sarif => {

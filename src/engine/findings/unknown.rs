@@ -42,7 +42,11 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         // Interpolated names are unknown, and a group that the host activates may declare a name.
         unknown.retain(|d| {
             let word = sources.text(d.span);
-            let is_given = matches_any(&part.readings.declared_at_times, word);
+            // Which release of the host completes the text, with which functions, is not known.
+            let is_call = sources.text(Span::new(d.span.end, d.span.end + 1)) == "(";
+            let has_host = !part.readings.hosts.is_empty();
+            let was_given = is_call && has_host && was_in_chunk(word);
+            let is_given = was_given || matches_any(&part.readings.declared_at_times, word);
             is_word(word) && !is_given && !optional.declares(word)
         });
     }
@@ -79,12 +83,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         // What only other shaders declare may still be meant by them.
         let is_sure = openness == Openness::Complete
             && (hosts.is_in_script(word, count) || !hosts.is_used_outside(word, count));
-        let was_declared = !part.readings.hosts.is_empty() && was_in_chunk(word);
-        if was_declared {
-            d.notes
-                .push(format!("only other releases of the host declare `{word}`"));
-        }
-        if !is_sure || was_declared {
+        if !is_sure {
             d.severity = Severity::Warning;
         }
     }
