@@ -15,10 +15,7 @@ const MAX_DEPTH: usize = 400;
 pub fn build(text: &str, program: &js::Program) -> ScriptTree {
     let mut builder = TreeBuilder {
         text,
-        tree: ScriptTree {
-            is_parsed: true,
-            ..ScriptTree::default()
-        },
+        tree: ScriptTree::default(),
         open: Vec::new(),
         scopes: vec![range(program.span)],
         depth: 0,
@@ -125,19 +122,14 @@ impl TreeBuilder<'_> {
                 },
             ),
             js::Expression::ComputedMemberExpression(it) => {
-                self.node(NodeKind::Index, range(span), |b| {
-                    b.expression(&it.object);
-                    b.expression(&it.expression);
-                })
+                self.pair(NodeKind::Index, span, [&it.object, &it.expression])
             }
-            js::Expression::CallExpression(it) => self.node(NodeKind::Call, range(span), |b| {
-                b.expression(&it.callee);
-                b.visit_arguments(&it.arguments);
-            }),
-            js::Expression::NewExpression(it) => self.node(NodeKind::New, range(span), |b| {
-                b.expression(&it.callee);
-                b.visit_arguments(&it.arguments);
-            }),
+            js::Expression::CallExpression(it) => {
+                self.call(NodeKind::Call, span, &it.callee, &it.arguments)
+            }
+            js::Expression::NewExpression(it) => {
+                self.call(NodeKind::New, span, &it.callee, &it.arguments)
+            }
             js::Expression::TaggedTemplateExpression(it) => {
                 self.node(NodeKind::Tagged, range(span), |b| {
                     b.expression(&it.tag);
@@ -152,24 +144,15 @@ impl TreeBuilder<'_> {
             }),
             js::Expression::BinaryExpression(it) => self.binary(it),
             js::Expression::LogicalExpression(it) => {
-                self.node(NodeKind::Choice, range(span), |b| {
-                    b.expression(&it.left);
-                    b.expression(&it.right);
-                })
+                self.pair(NodeKind::Choice, span, [&it.left, &it.right])
             }
             js::Expression::ConditionalExpression(it) => {
-                self.node(NodeKind::Choice, range(span), |b| {
-                    b.expression(&it.consequent);
-                    b.expression(&it.alternate);
-                })
+                self.pair(NodeKind::Choice, span, [&it.consequent, &it.alternate])
             }
             js::Expression::AssignmentExpression(it) => self.assignment(it),
             js::Expression::ChainExpression(it) => match &it.expression {
                 js::ChainElement::CallExpression(call) => {
-                    self.node(NodeKind::Call, range(span), |b| {
-                        b.expression(&call.callee);
-                        b.visit_arguments(&call.arguments);
-                    })
+                    self.call(NodeKind::Call, span, &call.callee, &call.arguments)
                 }
                 _ => self.node(NodeKind::Other, range(span), |b| {
                     walk::walk_chain_expression(b, it);
@@ -186,6 +169,30 @@ impl TreeBuilder<'_> {
                 walk::walk_expression(b, it)
             }),
         }
+    }
+
+    /// A node with two expressions.
+    fn pair(&mut self, kind: NodeKind, span: Span, both: [&js::Expression; 2]) -> ScriptNodeId {
+        self.node(kind, range(span), |b| {
+            for one in both {
+                b.expression(one);
+            }
+        })
+    }
+
+    fn call<'a>(
+        &mut self,
+        kind: NodeKind,
+        span: Span,
+        callee: &js::Expression<'a>,
+        arguments: &[js::Argument<'a>],
+    ) -> ScriptNodeId {
+        self.node(kind, range(span), |b| {
+            b.expression(callee);
+            arguments
+                .iter()
+                .for_each(|argument| b.visit_argument(argument));
+        })
     }
 
     fn template(&mut self, it: &js::TemplateLiteral) -> ScriptNodeId {
@@ -241,10 +248,11 @@ impl TreeBuilder<'_> {
                     });
                 }
                 js::AssignmentTarget::ComputedMemberExpression(member) => {
-                    b.node(NodeKind::Index, range(member.span), |b| {
-                        b.expression(&member.object);
-                        b.expression(&member.expression);
-                    });
+                    b.pair(
+                        NodeKind::Index,
+                        member.span,
+                        [&member.object, &member.expression],
+                    );
                 }
                 other => {
                     b.node(NodeKind::Other, range(other.span()), |b| {
@@ -298,7 +306,7 @@ impl TreeBuilder<'_> {
         });
     }
 
-    /// Adds the names that a pattern declares; `*` names of an object keep their value.
+    /// Adds the names that a pattern declares; only a plain name has a known value.
     fn pattern(&mut self, it: &js::BindingPattern, value: BindingValue) {
         match it {
             js::BindingPattern::BindingIdentifier(name) => self.bind(name.span, value),

@@ -21,8 +21,6 @@ pub struct ScriptTree {
     pub passed_on: Vec<String>,
     /// By name: its bindings.
     pub(super) by_name: HashMap<String, Vec<usize>>,
-    /// Whether the text was parsed; otherwise only its literals are known.
-    pub is_parsed: bool,
 }
 
 /// A node.
@@ -98,7 +96,7 @@ pub enum NodeKind {
     Element(Range<usize>),
     /// An attribute of an element; the child is its value.
     Attribute(Range<usize>),
-    /// `throw x`
+    /// `throw x`, which no name receives.
     Throw,
     /// Anything else that contains expressions.
     Other,

@@ -161,10 +161,10 @@ impl<'a> Hosts<'a> {
             None if !readings.holds_entry() && !readings.is_called => false,
             None => {
                 let all = self.importers();
-                !all.is_empty()
-                    && all
-                        .iter()
-                        .all(|(path, text)| self.hands_over(host, path, text))
+                let is_handed = |(path, text): &(PathBuf, Arc<str>)| {
+                    host.is_complete_in(text) && self.hands_over(host, path, text)
+                };
+                !all.is_empty() && all.iter().all(is_handed)
             }
         }
     }
@@ -181,7 +181,7 @@ impl<'a> Hosts<'a> {
         let script = ParsedScript::new(text.clone());
         let receivers = script.receivers(is_file);
         let is_known = |name: &Option<&str>| name.is_some_and(|name| host.is_complete_for(name));
-        host.is_complete_in(text) && !receivers.is_empty() && receivers.iter().all(is_known)
+        !receivers.is_empty() && receivers.iter().all(is_known)
     }
 
     /// Whether a word is used outside of a text that uses it `count` times: in the surrounding
@@ -267,12 +267,10 @@ impl<'a> Hosts<'a> {
 
     fn imported(&self) -> &[&'static Preset] {
         self.imported.get_or_init(|| {
-            let mut found: Vec<&'static Preset> = Vec::new();
-            for (_, text) in self.scripts() {
-                found.extend(imported_hosts(text));
-            }
-            found.dedup_by_key(|host| host.name);
-            found
+            let scripts = self.scripts().into_iter();
+            let all = scripts.flat_map(|(_, text)| imported_hosts(text));
+            let mut seen = BTreeSet::new();
+            all.filter(|host| seen.insert(host.name)).collect()
         })
     }
 
