@@ -56,23 +56,36 @@ test("a pass of a folder is debugged in the requested frame", async () => {
   assert.ok(sources.some((known) => known.path?.endsWith("buffer_a.glsl")));
 });
 
-test("the first stop does not wait for other passes", async () => {
-  const image = file("slow/image.glsl", IMAGE);
-  file("slow/buffer_a.glsl", `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+/** A folder with a pass that takes a loop of so many iterations in each pixel. */
+function slow(folder, iterations) {
+  const image = file(`${folder}/image.glsl`, IMAGE);
+  file(`${folder}/buffer_a.glsl`, `void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float sum = 0.0;
-    for (int i = 0; i < 100000; i++) sum += 1.0;
+    for (int i = 0; i < ${iterations}; i++) sum += 1.0;
     fragColor = vec4(sum);
 }
 `);
-  file("slow/channels.toml", "0 = \"buffer_a\"\n");
+  file(`${folder}/channels.toml`, "0 = \"buffer_a\"\n");
+  return path.dirname(image);
+}
+
+test("the first stop does not wait for other passes", async () => {
   const start = { supportsProgressReporting: true };
-  const session = await launched({ program: path.dirname(image), size: [8, 6] }, { start });
-  assert.equal(session.progress.length, 1);
+  // The pass would be drawn for many minutes.
+  const session = await launched({ program: slow("endless", 1000000000), size: [8, 6] }, { start });
   assert.equal(await session.value("fragCoord"), "vec2(4.5, 3.5)");
+  const [[begun, id]] = session.progress;
+  assert.equal(begun, "progressStart");
+  assert.equal(session.progress.length, 1);
+  const ended = session.client.waitForEvent("progressEnd");
+  await session.move("shaderlint/pixel", { pass: "buffer_a" });
+  assert.equal((await ended).body.progressId, id);
+});
+
+test("the first statement that reads another pass waits for it", async () => {
+  const session = await launched({ program: slow("slow", 100000), size: [8, 6] });
   await session.move("next");
   assert.equal(await session.value("count.x"), "100000.0");
-  const [[, id]] = session.progress;
-  assert.deepEqual(session.progress, [["progressStart", id], ["progressEnd", id]]);
 });
 
 test("breakpoints in included files are hit", async () => {
