@@ -30,6 +30,7 @@ mod empty_body;
 mod endless_rays;
 mod errors;
 mod exp_overflow;
+mod extension_not_enabled;
 mod flat_frame;
 mod float_counter_drift;
 mod float_equality;
@@ -198,6 +199,7 @@ pub static RULES: &[&Rule] = &[
     &inverse_trig_range::RULE,
     &isnan_optimised::RULE,
     &known_comparison::RULE,
+    &extension_not_enabled::RULE,
     &legacy_extension::RULE,
     &length_compare::RULE,
     &log_nonpositive::RULE,

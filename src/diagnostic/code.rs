@@ -287,6 +287,8 @@ errors! {
     BROWSER_LIMIT = "browser-limit";
     /// Something that GLSL ES 1.00 does not have.
     NEEDS_WEBGL2 = "needs-webgl2", lacks(Lack::Setting);
+    /// A function or variable of an extension that is not enabled.
+    MISSING_EXTENSION = "missing-extension", lacks(Lack::Setting);
     /// A loop or an index that WebGL1 does not allow.
     WEBGL1_RESTRICTION = "webgl1-restriction";
 }

@@ -6,15 +6,17 @@ use crate::findings::stage::{FileCheck, FindingStage, ShaderCheck, Unresolved};
 use crate::findings::{STAGES, partner};
 use crate::hosts::host::Hosts;
 use crate::hosts::hosted;
+use crate::hosts::webgl::context;
 use crate::options::{DialectChoice, Options};
 use crate::shader::analysis::Analysis;
-use crate::shader::reading::lacking;
+use crate::shader::reading::{Readings, lacking};
 use crate::shader::shader_input::{Shader, ShaderInput};
 use crate::text::split::{Unread, split};
 use shaderlint_detect::embed::DocumentLanguage;
 use shaderlint_detect::kind::{Evidence, FileKind, decide};
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
+use shaderlint_host::Preset;
 use shaderlint_lint::{Allows, CheckedSpans, SkippedRules};
 use shaderlint_project::Files;
 use shaderlint_semantic::Completeness;
@@ -253,6 +255,11 @@ fn understand(
     let is_open = options.dialect == DialectChoice::Auto
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
+    let set_context = |sources: &Sources, readings: &mut Readings, presets: &[&Preset]| {
+        readings.set_context(context(sources, readings, hosts, options, presets));
+    };
+    let given = part.host.or(options.host.preset);
+    set_context(sources, &mut part.readings, given.as_slice());
     let checked = part.readings.check(sources, part.infer_channels)?;
     let lacking = lacking(&checked);
     if (lacking.is_some() || hosted::given_composer(options).is_some())
@@ -277,6 +284,7 @@ fn understand(
         .host(Arc::make_mut(sources), &presets, options)?;
     part.readings.are_hosts_complete = presets.iter().all(|p| hosts.is_complete(p, &part.readings));
     part.readings.is_guessed = !is_sure;
+    set_context(sources, &mut part.readings, &presets);
     part.readings.check(sources, part.infer_channels)
 }
 

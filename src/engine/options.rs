@@ -7,6 +7,7 @@ use shaderlint_project::{FileAccess, FileCache, Files, Includes};
 use shaderlint_rules::RULES;
 #[cfg(feature = "cli")]
 use shaderlint_syntax::Version;
+use shaderlint_syntax::{Extensions, WebGl};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -15,6 +16,10 @@ use std::sync::Arc;
 pub struct Options {
     /// Dialect of the shaders.
     pub dialect: DialectChoice,
+    /// The version of WebGL that compiles them, if it is given.
+    pub webgl: Option<WebGl>,
+    /// The extensions that are enabled, if they are given.
+    pub extensions: Option<Extensions>,
     /// Levels and options of the rules.
     pub settings: Arc<Settings>,
     /// Names that the host declares.
@@ -43,6 +48,8 @@ impl Options {
     pub fn new(dialect: DialectChoice, settings: Settings) -> Options {
         Options {
             dialect,
+            webgl: None,
+            extensions: None,
             settings: Arc::new(settings),
             host: HostNames::default(),
             includes: Includes::default(),
@@ -58,6 +65,8 @@ impl Options {
     pub fn fingerprint(&self) -> String {
         let Options {
             dialect,
+            webgl,
+            extensions,
             settings,
             host,
             includes,
@@ -66,7 +75,9 @@ impl Options {
             claim,
             file_cache: _,
         } = self;
-        format!("{dialect:?} {settings:?} {host:?} {includes:?} {desktop:?} {claim:?}")
+        format!(
+            "{dialect:?} {webgl:?} {extensions:?} {settings:?} {host:?} {includes:?} {desktop:?} {claim:?}"
+        )
     }
 
     /// What the files around a shader are found with.
@@ -105,6 +116,29 @@ pub enum DialectChoice {
     Webgl2,
     /// WebGL1 shaders in GLSL ES 1.00.
     Webgl1,
+}
+
+/// The context that compiles shaders.
+#[cfg(feature = "cli")]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ContextChoice {
+    /// `getContext('webgl')`
+    #[serde(alias = "webgl")]
+    Webgl1,
+    /// `getContext('webgl2')`
+    Webgl2,
+}
+
+#[cfg(feature = "cli")]
+impl ContextChoice {
+    /// The version of WebGL.
+    pub fn webgl(self) -> WebGl {
+        match self {
+            ContextChoice::Webgl1 => WebGl::One,
+            ContextChoice::Webgl2 => WebGl::Two,
+        }
+    }
 }
 
 /// The version that shaders are converted to.

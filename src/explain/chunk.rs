@@ -9,7 +9,6 @@ use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{
     Certainty, Diagnostic, Facet, Lack, MacroUse, Severity, Subject, error,
 };
-use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Completeness, Function, Program};
 use shaderlint_syntax::{
     DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
@@ -565,7 +564,7 @@ fn known_names(program: &Program) -> FxHashSet<Name> {
     known.extend(tree.param_lists.iter().filter_map(|p| Some(p.ident?.name)));
     known.extend(tree.functions.iter().map(|f| f.ident.name));
     known.extend(program.tokens.macros.iter().map(|m| m.name));
-    let builtins = Builtins::of(program.version, program.stage);
+    let builtins = program.builtins();
     known.extend(
         builtins
             .functions()

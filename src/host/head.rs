@@ -96,7 +96,7 @@ const SHADER_TEMPLATE: &str = "#ifdef SHADER_TEMPLATE";
 const SHADER_MAIN: &str = "#ifdef SHADER_MAIN";
 
 /// The keys of a header.
-const KEYS: [&str; 29] = [
+const KEYS: [&str; 30] = [
     "alias",
     "reads",
     "base",
@@ -111,6 +111,7 @@ const KEYS: [&str; 29] = [
     "file",
     "chunks",
     "version",
+    "context",
     "requires",
     "names",
     "uniforms",
@@ -202,6 +203,10 @@ impl Preset {
                     }
                 }
             }
+            "context" => match value.split(' ').next() {
+                Some("webgl1" | "webgl2") => self.context.extend(words()),
+                _ => return Err(none_of(value, &["webgl1", "webgl2"])),
+            },
             "requires" => {
                 let (version, since) = value
                     .split_once(", ")

@@ -27,6 +27,7 @@ pub use meaning::{
     COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,
     is_one_name,
 };
+pub use near::none_of;
 pub use preset::{
     HeadError, HostVersion, Preset, RequiredVersion, TextSign, declared_in, matches_any,
 };

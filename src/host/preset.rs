@@ -76,6 +76,9 @@ pub struct Preset {
     pub holes: Vec<String>,
     /// The version that it compiles as.
     pub version: HostVersion,
+    /// The context that compiles its shaders, `webgl1` or `webgl2`, with the extensions that it enables;
+    /// empty if that is open.
+    pub context: Vec<String>,
     /// The version without which shaders do not work in its current releases.
     pub required: Option<RequiredVersion>,
     /// Whether it declares no other names, so that an unknown name is an error.
@@ -412,6 +415,9 @@ impl Preset {
         }
         if self.chunks.is_empty() {
             self.chunks = base.chunks.clone();
+        }
+        if self.context.is_empty() {
+            self.context = base.context.clone();
         }
         self.holes.extend(base.holes.iter().cloned());
     }

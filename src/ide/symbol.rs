@@ -1,6 +1,6 @@
 //! The symbols that names refer to.
 
-use shaderlint_semantic::builtins::{BuiltinStorage, Builtins};
+use shaderlint_semantic::builtins::BuiltinStorage;
 use shaderlint_semantic::{
     BuiltinId, Direction, Field, Function, FunctionRef, Program, Storage, Type, Variable,
     VariableId,
@@ -273,7 +273,7 @@ pub fn declared_at(program: &Program, symbol: Symbol) -> Option<Span> {
 
 /// The declaration of a built-in variable.
 pub fn builtin_variable(program: &Program, name: &str) -> Option<String> {
-    let found = Builtins::of(program.version, program.stage).variable(name)?;
+    let found = program.builtins().variable(name)?;
     let storage = match found.storage {
         BuiltinStorage::In => "in",
         BuiltinStorage::Out => "out",

@@ -1,6 +1,5 @@
 //! Infers the types of ShaderToy's channels from the lookups in the code.
 
-use super::builtins::Builtins;
 use super::dialect::Channels;
 use super::program::{Program, Resolution};
 use super::types::{Base, Sampler, Type};
@@ -80,7 +79,7 @@ fn may_take(
     {
         return true;
     }
-    let builtins = Builtins::of(program.version, program.stage);
+    let builtins = program.builtins();
     let Some(function) = builtins.function(program.names.text(name)) else {
         return false;
     };

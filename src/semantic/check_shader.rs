@@ -9,7 +9,7 @@ use super::problem::Problems;
 use super::program::Program;
 use super::unit::{Completeness, Unit};
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_syntax::{ParseOptions, Preprocessed, Search, parse, preprocess};
+use shaderlint_syntax::{Context, ParseOptions, Preprocessed, Search, parse, preprocess};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
@@ -46,7 +46,7 @@ pub fn check_shader(unit: &Unit, search: &mut Search) -> CheckedShader {
         version,
         diagnostics,
         gave_up,
-    } = preprocess(unit.sources, unit.files, is_fragment);
+    } = preprocess(unit.sources, unit.files, is_fragment, unit.context);
     if gave_up {
         tokens.tokens.drain(..tokens.tokens.len().saturating_sub(1));
     }
@@ -65,6 +65,7 @@ pub fn check_shader(unit: &Unit, search: &mut Search) -> CheckedShader {
         names,
         tree: parse.tree,
         version,
+        context: unit.context,
         has_errors,
         enough: MAX_ERRORS,
     };
@@ -100,6 +101,7 @@ pub fn check_fragment(code: &str) -> CheckedShader {
         files: file.as_slice(),
         stage: Stage::Fragment,
         dialect: Dialect::WebGl,
+        context: Context::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     };

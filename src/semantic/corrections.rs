@@ -180,6 +180,7 @@ mod tests {
     use super::*;
     use crate::problem::MAX_ERRORS;
     use crate::{Completeness, Dialect, Pass, Stage};
+    use shaderlint_syntax::Context;
     use shaderlint_syntax::{Search, parse, preprocess};
     use shaderlint_text::{Role, Sources};
     use std::sync::Arc;
@@ -200,10 +201,11 @@ mod tests {
             files: &files,
             stage: Stage::Fragment,
             dialect,
+            context: Context::WEBGL2,
             infer_channels: true,
             completeness: Completeness::Complete,
         };
-        let mut read = preprocess(&sources, &files, true);
+        let mut read = preprocess(&sources, &files, true, Context::WEBGL2);
         let options = ParseOptions {
             version: read.version,
             is_fragment: true,
@@ -216,6 +218,7 @@ mod tests {
             names: read.names,
             tree: parse.tree,
             version: read.version,
+            context: Context::WEBGL2,
             has_errors: true,
             enough,
         };

@@ -59,6 +59,7 @@ impl Program {
             names: std::mem::take(&mut self.names),
             tree: std::mem::take(&mut self.tree),
             version: self.version,
+            context: self.context,
             has_errors: self.had_errors,
             enough: MAX_ERRORS,
         }

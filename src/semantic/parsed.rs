@@ -7,7 +7,9 @@ use super::program::{ExprInfo, Resolution, VariableId, struct_name};
 use super::types::{Struct, Type, type_name};
 use super::typing::Types;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{ExactPlace, Feature, Name, Names, Token, TokenKind, Tokens, Version};
+use shaderlint_syntax::{
+    Context, ExactPlace, Feature, Name, Names, Token, TokenKind, Tokens, Version,
+};
 use shaderlint_text::{Role, Sources, Span};
 use std::ops::Deref;
 
@@ -21,7 +23,8 @@ pub struct ParsedView<'a> {
     pub version: Version,
     pub stage: Stage,
     pub dialect: Dialect,
-    pub builtins: &'static Builtins,
+    pub context: Context,
+    pub builtins: Builtins,
 }
 
 impl<'a> ParsedView<'a> {

@@ -2,6 +2,7 @@
 
 use super::builtins::Stage;
 use super::dialect::Dialect;
+use shaderlint_syntax::Context;
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
@@ -15,6 +16,8 @@ pub struct Unit<'a> {
     pub stage: Stage,
     /// Host that runs the shader.
     pub dialect: Dialect,
+    /// The context that compiles it.
+    pub context: Context,
     /// Whether the types of its channels are unknown and inferred from their uses.
     pub infer_channels: bool,
     /// How much of a shader the files contain.

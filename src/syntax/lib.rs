@@ -5,6 +5,7 @@
 
 pub mod ast;
 mod conditional;
+mod context;
 mod foreign;
 mod language;
 mod lexer;
@@ -22,6 +23,7 @@ pub use conditional::{
     BranchId, ConditionalDirective, ConditionalGroup, ConditionalGroups, GroupBranch,
     GroupDirective, MacroTest, MacroTestKind,
 };
+pub use context::{Context, EXTENSIONS, Extension, ExtensionFacts, Extensions, WebGl};
 pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use language::{ES_100, ES_300, Feature, LanguageProfile};
 pub use lexer::{Lexer, tokenize, unsplice};

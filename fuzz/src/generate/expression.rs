@@ -355,7 +355,7 @@ impl Writer {
             let is_math = o.function.kind() == BuiltinKind::Math && o.out == 0;
             o.returns == ty && (is_math || !self.constant)
         };
-        let all: Vec<&Overload> = builtins.overloads.iter().filter(fits).collect();
+        let all: Vec<&Overload> = builtins.overloads().filter(fits).collect();
         let at = self.below(all.len());
         let overload = *all.get(at)?;
         let name = overload.function.name();

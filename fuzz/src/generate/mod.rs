@@ -125,7 +125,7 @@ struct Writer {
     random: Random,
     is_300: bool,
     stage: Stage,
-    builtins: &'static Builtins,
+    builtins: Builtins,
     scopes: Vec<Scope>,
     structs: Vec<Record>,
     functions: Vec<Function>,

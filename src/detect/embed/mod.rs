@@ -22,6 +22,7 @@ mod tag;
 mod template;
 mod text;
 mod together;
+mod webgl;
 
 use crate::kind::may_be_shader;
 
@@ -33,6 +34,7 @@ pub use mention::{Mention, MentionKind, NameRole, mentions};
 pub use modules::{ImportedTexts, NoModules};
 pub use script::ParsedScript;
 pub use together::{Asked, asked, strings, together};
+pub use webgl::AskedWebGl;
 
 /// Finds the shaders in a file, in source order.
 pub fn extract(language: DocumentLanguage, text: &str) -> Vec<Embedded> {

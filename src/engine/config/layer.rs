@@ -7,7 +7,7 @@ use shaderlint_format::StyleChoice;
 use shaderlint_lint::sample::SampleLimit;
 use shaderlint_lint::{Failing, Infos, OptionValue, Renderer, Rule, RulePreset, Settings};
 use shaderlint_rules::RULES;
-use shaderlint_syntax::Version;
+use shaderlint_syntax::{Extensions, Version, WebGl};
 use std::path::{Path, PathBuf};
 
 /// Settings for all files, or for files that match patterns.
@@ -25,6 +25,10 @@ pub struct Layer {
     pub run_samples: Option<u32>,
     /// Dialect of the shaders.
     pub dialect: Option<DialectChoice>,
+    /// The version of WebGL that compiles the shaders.
+    pub webgl: Option<WebGl>,
+    /// The extensions that are enabled.
+    pub extensions: Option<Extensions>,
     /// Host that completes the shaders.
     pub host: Option<HostNames>,
     /// How desktop GLSL and other languages are treated.

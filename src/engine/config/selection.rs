@@ -72,6 +72,8 @@ pub fn options(
     for layer in base.chain(matching.map(|(_, layer)| layer)) {
         layer.apply(&mut settings);
         options.dialect = layer.dialect.unwrap_or(options.dialect);
+        options.webgl = layer.webgl.or(options.webgl);
+        options.extensions = layer.extensions.or(options.extensions);
         options.desktop = layer.desktop.unwrap_or(options.desktop);
         options.host = layer.host.clone().unwrap_or(options.host);
         if let (Some(roots), Some(config)) = (&layer.include_roots, config) {

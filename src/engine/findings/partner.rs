@@ -335,6 +335,7 @@ fn complete(sources: &Arc<Sources>, reading: &Reading) -> Checked {
         files: &reading.files,
         stage: reading.stage,
         dialect: reading.dialect,
+        context: reading.context,
         infer_channels: false,
         completeness: Completeness::Complete,
     })

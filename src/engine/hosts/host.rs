@@ -4,7 +4,7 @@
 use crate::check_context::CheckContext;
 use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_detect::embed::{DocumentLanguage, ParsedScript};
+use shaderlint_detect::embed::{AskedWebGl, DocumentLanguage, ParsedScript};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_host::{Preset, presets};
 use shaderlint_project::{
@@ -33,6 +33,8 @@ pub struct Hosts<'a> {
     /// The names that the script may declare for its shaders, by hash, and whether it puts declarations
     /// together; computed on first use.
     given: OnceCell<(FxHashSet<u64>, bool)>,
+    /// What the scripts ask WebGL for; computed on first use.
+    asked_webgl: OnceCell<AskedWebGl>,
     context: CheckContext<'a>,
     /// The hosts that the script imports; computed on first use.
     imported: OnceCell<Vec<&'static Preset>>,
@@ -49,6 +51,7 @@ impl<'a> Hosts<'a> {
             importers: OnceCell::new(),
             counts: OnceCell::new(),
             given: OnceCell::new(),
+            asked_webgl: OnceCell::new(),
             context,
             imported: OnceCell::new(),
             installed: OnceCell::new(),
@@ -121,6 +124,27 @@ impl<'a> Hosts<'a> {
                 .map(|(path, text)| (path.as_path(), &**text))
                 .collect(),
         }
+    }
+
+    /// What the scripts around the texts ask WebGL for. Those that import the file are read only if that is
+    /// wanted.
+    pub fn asked_webgl(&self, wants_importers: impl Fn() -> bool) -> Option<&AskedWebGl> {
+        if self.script.is_none() && !(wants_importers() && self.is_imported()) {
+            return None;
+        }
+        Some(self.asked_webgl.get_or_init(|| {
+            let language = |path: &Path| {
+                DocumentLanguage::of_extension(&file_extension(&path.to_string_lossy()))
+            };
+            let scripts = self.scripts().into_iter();
+            let all =
+                scripts.filter_map(|(path, text)| Some(AskedWebGl::of(language(path)?, text)));
+            let joined = all.reduce(|mut one, other| {
+                one.join(other);
+                one
+            });
+            joined.unwrap_or_default()
+        }))
     }
 
     /// The scripts that import the file, with their texts.

@@ -14,7 +14,7 @@ use shaderlint_semantic::{
     CHUNK_OUTPUT, Completeness, Dialect, Guess, GuessedKind, Pass, Stage, Unit, chunk_declarations,
     first_of_300, guess, needs_300,
 };
-use shaderlint_syntax::{ES_300, Feature, Search, Version};
+use shaderlint_syntax::{Context, ES_300, Feature, Search, Version};
 use shaderlint_text::{FileId, Role, Sources};
 use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
@@ -30,6 +30,8 @@ pub struct Reading {
     pub stage: Stage,
     /// ShaderToy pass or WebGL shader.
     pub dialect: Dialect,
+    /// The context that compiles it.
+    pub context: Context,
 }
 
 /// How complete a text is, before it is checked.
@@ -374,6 +376,7 @@ impl Readings {
                 files,
                 stage,
                 dialect: Dialect::WebGl,
+                context: Context::WEBGL2,
             });
         }
         Some(text.has_chunks && !text.is_open)
@@ -429,6 +432,7 @@ impl Readings {
             files: with_host(sources, header, self.text.files.clone(), options)?,
             stage: stage.unwrap_or(Stage::Fragment),
             dialect,
+            context: Context::WEBGL2,
         })
     }
 
@@ -461,6 +465,13 @@ impl Readings {
         Some(found)
     }
 
+    /// Sets the context that compiles the text.
+    pub fn set_context(&mut self, context: Context) {
+        for reading in &mut self.all {
+            reading.context = context;
+        }
+    }
+
     /// Checks the text in all readings, and returns the best result.
     pub fn check<'u>(&'u self, sources: &'u Arc<Sources>, infer_channels: bool) -> Option<Checked> {
         let completeness = match self.presumed {
@@ -476,6 +487,7 @@ impl Readings {
             files: &reading.files,
             stage: reading.stage,
             dialect: reading.dialect,
+            context: reading.context,
             infer_channels,
             completeness,
         };
@@ -538,6 +550,7 @@ impl Readings {
             files: &reading.files,
             stage: reading.stage,
             dialect: reading.dialect,
+            context: reading.context,
             infer_channels: false,
             completeness,
         });

@@ -451,6 +451,9 @@ fn recipe(function: BuiltinId, scalar: Scalar, arguments: usize, chooses: bool) 
         | B::TextureProjLod | B::TextureProjLodOffset | B::TextureProjGrad
         | B::TextureProjGradOffset | B::TexelFetch | B::TexelFetchOffset | B::Texture2D
         | B::Texture2DProj | B::Texture2DLod | B::Texture2DProjLod | B::TextureCube
-        | B::TextureCubeLod | B::DFdx | B::DFdy | B::Fwidth => Apart,
+        | B::TextureCubeLod | B::Texture2DLodExt | B::Texture2DProjLodExt | B::TextureCubeLodExt
+        | B::Texture2DGradExt | B::Texture2DProjGradExt | B::TextureCubeGradExt
+        | B::InterpolateAtCentroid | B::InterpolateAtSample | B::InterpolateAtOffset
+        | B::DFdx | B::DFdy | B::Fwidth => Apart,
     }
 }

@@ -9,6 +9,7 @@ mod calls;
 mod context;
 mod declarations;
 mod expressions;
+mod extension;
 mod foreign;
 mod limits;
 mod names;

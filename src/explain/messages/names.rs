@@ -186,13 +186,12 @@ impl ExplainContext<'_> {
     pub(crate) fn explain_undeclared_function(&self, name: Name, token: TokenId) -> Diagnostic {
         let text = self.text(name);
         let newest = Builtins::of(Version::NEWEST, self.stage);
-        if self.version != Version::NEWEST && newest.function(text).is_some() {
-            self.error_at(
-                error::NEEDS_WEBGL2,
-                token,
-                format!("`{text}` requires GLSL ES 3.00"),
-            )
-            .help("add `#version 300 es` as the first line")
+        if let Some(d) = self.extension_needed(text, token) {
+            d
+        } else if self.version != Version::NEWEST && newest.function(text).is_some() {
+            let message = format!("`{text}` requires GLSL ES 3.00");
+            self.error_at(error::NEEDS_WEBGL2, token, message)
+                .help(self.help_for_version(text))
         } else if self.declared_later(name, token).is_some() {
             self.used_before_declaration(name, token)
         } else {
@@ -268,6 +267,9 @@ impl ExplainContext<'_> {
     fn legacy_variable(&self, name: Name, token: TokenId) -> Option<Diagnostic> {
         let text = self.text(name);
         let is_fragment = self.stage == Stage::Fragment;
+        if let Some(d) = self.extension_needed(text, token) {
+            return Some(d);
+        }
         if self.version != Version::NEWEST {
             let newest = Builtins::of(Version::NEWEST, self.stage);
             newest.variable(text)?;

@@ -24,7 +24,7 @@ impl Explain for Restriction {
             E::FragData => {
                 let message = "`gl_FragData` has only one element here, at index 0";
                 return c.error(error::INDEX_OUT_OF_RANGE, at, message).note(
-                    "more elements need the extension `GL_EXT_draw_buffers`, which WebGL2 does not have",
+                    "more elements need `WEBGL_draw_buffers` in WebGL1; WebGL2 has several `out` variables in `#version 300 es`",
                 );
             }
         };

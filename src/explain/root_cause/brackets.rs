@@ -4,7 +4,6 @@ use super::FaultyShader;
 use super::candidate::RepairCandidate;
 use super::definition::{Definition, is_operator};
 use shaderlint_diagnostic::{Diagnostic, Fix};
-use shaderlint_semantic::builtins::Builtins;
 use shaderlint_syntax::{Piece, TokenKind, WordClass, classify};
 use shaderlint_text::{Edit, Span};
 
@@ -187,7 +186,7 @@ impl FaultyShader<'_> {
     fn splits(&self, word: Span) -> Vec<u32> {
         let text = self.text(word);
         let program = self.program;
-        let builtins = Builtins::of(program.version, program.stage);
+        let builtins = program.builtins();
         let is_called = |name: &str| {
             let is_own = || {
                 let mut own = program.functions.iter().map(|f| f.name);

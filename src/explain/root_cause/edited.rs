@@ -75,6 +75,7 @@ impl EditedUnit {
             files: &self.files,
             stage: unit.stage,
             dialect: unit.dialect,
+            context: unit.context,
             infer_channels: unit.infer_channels,
             completeness: unit.completeness,
         }

@@ -7,7 +7,6 @@ use crate::index::{NameUse, Occurrence, is_inactive};
 use crate::symbol::{Symbol, SymbolKind};
 use shaderlint_detect::embed::{MentionKind, NameRole};
 use shaderlint_project::Files;
-use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Completeness, Program, Resolution};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Span;
@@ -191,7 +190,7 @@ fn unresolved(program: &Program, word: &str) -> Vec<Span> {
         return Vec::new();
     };
     let exprs = program.tree.exprs.iter().zip(0..);
-    let built_in = Builtins::of(program.version, program.stage).function(word);
+    let built_in = program.builtins().function(word);
     let is_it = |kind: &ExprKind| match kind {
         ExprKind::Name(used) => *used == name,
         ExprKind::Call(used, _) => *used == name && built_in.is_none(),

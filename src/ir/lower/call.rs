@@ -5,7 +5,6 @@ use super::super::form::*;
 use super::Lowerer;
 use super::order::Operand;
 use super::place::AssignTarget;
-use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Type};
 use shaderlint_syntax::ast::List;
 
@@ -42,7 +41,7 @@ impl Lowerer<'_> {
     /// Lowers a call of a built-in function.
     pub(super) fn builtin(&mut self, overload: u32, args: List, ty: Type) -> OpId {
         let program = self.program;
-        let found = Builtins::of(program.version, program.stage).overload(overload);
+        let found = program.builtins().overload(overload);
         let out = found.map_or(0, |o| o.out);
         let kind = |operands| match found {
             Some(overload) => OpKind::Builtin(overload.function, operands),

@@ -1,6 +1,5 @@
 //! Which expressions may write to a variable.
 
-use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, Program, Resolution, Storage, each_operand};
 use shaderlint_syntax::ast::{ExprId, ExprKind, PostfixOp};
 
@@ -13,7 +12,7 @@ impl Writing {
         let is_shared = |s: Storage| matches!(s, Storage::Global | Storage::Output);
         let mut variables = program.variables.iter();
         let has_shared = variables.any(|v| v.written && is_shared(v.storage));
-        let builtins = Builtins::of(program.version, program.stage);
+        let builtins = program.builtins();
         let exprs = &program.tree.exprs;
         let mut writing = Writing(Vec::with_capacity(exprs.len()));
         for (expr, id) in exprs.iter().zip(0..) {

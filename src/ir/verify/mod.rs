@@ -13,7 +13,6 @@ use crate::form::{
     Switch,
 };
 use crate::layout::Layout;
-use shaderlint_semantic::builtins::Builtins;
 use shaderlint_semantic::{Direction, FunctionRef, Program, Scalar, Stage, Storage, Type};
 
 /// All violations in the module that a program was lowered to; none if lowering is correct.
@@ -22,7 +21,7 @@ pub fn verify(program: &Program, module: &Module) -> Vec<Violation> {
         program,
         layout: Layout::of(program),
         module,
-        builtins: Builtins::of(program.version, program.stage),
+        builtins: program.builtins(),
         at: StepContext::default(),
         next: 0,
         defined: vec![false; module.ops.len()],

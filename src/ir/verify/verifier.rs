@@ -39,7 +39,7 @@ pub(super) struct Verifier<'a> {
     pub program: &'a Program,
     pub layout: Layout,
     pub module: &'a Module,
-    pub builtins: &'static Builtins,
+    pub builtins: Builtins,
     pub at: StepContext,
     /// The operation with which the next run must start: runs cover all operations in order.
     pub next: u32,

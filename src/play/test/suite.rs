@@ -330,6 +330,7 @@ fn compose(analysis: &Analysis, file: FileId, drafts: &mut [Draft]) -> Option<An
         files: &composer.files,
         stage: program.stage,
         dialect: program.dialect,
+        context: program.context,
         infer_channels: program.dialect.is_shadertoy(),
         completeness: analysis.completeness,
     });

@@ -316,6 +316,8 @@ fn lowering(function: BuiltinId) -> Lowering {
         | B::TextureProjOffset | B::TextureProjLod | B::TextureProjLodOffset | B::TextureProjGrad
         | B::TextureProjGradOffset | B::TexelFetch | B::TexelFetchOffset | B::Texture2D
         | B::Texture2DProj | B::Texture2DLod | B::Texture2DProjLod | B::TextureCube
-        | B::TextureCubeLod => Apart,
+        | B::TextureCubeLod | B::Texture2DLodExt | B::Texture2DProjLodExt | B::TextureCubeLodExt
+        | B::Texture2DGradExt | B::Texture2DProjGradExt | B::TextureCubeGradExt
+        | B::InterpolateAtCentroid | B::InterpolateAtSample | B::InterpolateAtOffset => Apart,
     }
 }

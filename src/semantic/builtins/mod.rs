@@ -15,7 +15,7 @@ use super::fold::set_undefined_to_zero;
 use super::types::Type;
 use super::undefined::Undefined;
 use prototype::Declared;
-use shaderlint_syntax::Version;
+use shaderlint_syntax::{Context, Extension, Extensions, Version, WebGl};
 use std::ops::Range;
 
 /// The stage of a shader.
@@ -105,20 +105,30 @@ pub const LEGACY_FUNCTIONS: &[(&str, &str)] = &[
     ("textureCubeGradEXT", "textureGrad"), ("shadow2D", "texture"),
 ];
 
-/// All built-in functions and variables of one version and stage.
+/// All built-in functions and variables of one version and stage, with those of extensions.
 #[derive(Debug)]
-pub struct Builtins {
+struct BuiltinList {
     /// Overloads of all functions, grouped by function.
-    pub overloads: &'static [Overload],
+    overloads: &'static [Overload],
     /// By [`BuiltinId`]: index of its first overload, with the total count as the last entry.
     starts: [u16; BuiltinId::ALL.len() + 1],
     variables: &'static [(&'static str, BuiltinVariable)],
 }
 
-/// Builds [`Builtins`] from declarations parsed at compile time.
+/// The built-in functions and variables that a shader can use.
+#[derive(Clone, Copy, Debug)]
+pub struct Builtins {
+    all: &'static BuiltinList,
+    version: Version,
+    context: Context,
+    /// The extensions that the shader turns on.
+    active: Extensions,
+}
+
+/// Builds a [`BuiltinList`] from declarations parsed at compile time.
 macro_rules! builtins {
     ($declared:ident) => {
-        Builtins {
+        BuiltinList {
             overloads: &const { $declared.overloads::<{ $declared.count }>() },
             starts: $declared.starts(),
             variables: &const { $declared.variables::<{ $declared.variable_count }>() },
@@ -129,74 +139,139 @@ macro_rules! builtins {
 /// Common declarations are parsed once to save compile time.
 const OF_300: Declared = Declared::NOTHING
     .and(include_str!("functions_300.glsl"))
-    .and(include_str!("variables_300.glsl"));
+    .and(include_str!("variables_300.glsl"))
+    .and(include_str!("extensions_300.glsl"));
 const OF_300_FRAGMENT: Declared = OF_300
     .and(include_str!("functions_300_fragment.glsl"))
-    .and(include_str!("variables_300_fragment.glsl"));
-const OF_300_VERTEX: Declared = OF_300.and(include_str!("variables_300_vertex.glsl"));
+    .and(include_str!("variables_300_fragment.glsl"))
+    .and(include_str!("extensions_300_fragment.glsl"));
+const OF_300_VERTEX: Declared = OF_300
+    .and(include_str!("variables_300_vertex.glsl"))
+    .and(include_str!("extensions_300_vertex.glsl"))
+    .and(include_str!("extensions_vertex.glsl"));
 const OF_100: Declared = Declared::NOTHING
     .and(include_str!("functions_100.glsl"))
-    .and(include_str!("variables_100.glsl"));
+    .and(include_str!("variables_100.glsl"))
+    .and(include_str!("extensions_100.glsl"));
 const OF_100_FRAGMENT: Declared = OF_100
     .and(include_str!("functions_100_fragment.glsl"))
-    .and(include_str!("variables_100_fragment.glsl"));
+    .and(include_str!("variables_100_fragment.glsl"))
+    .and(include_str!("extensions_100_fragment.glsl"));
 const OF_100_VERTEX: Declared = OF_100
     .and(include_str!("functions_100_vertex.glsl"))
-    .and(include_str!("variables_100_vertex.glsl"));
+    .and(include_str!("variables_100_vertex.glsl"))
+    .and(include_str!("extensions_vertex.glsl"));
 
-static ES_300_FRAGMENT: Builtins = builtins!(OF_300_FRAGMENT);
-static ES_300_VERTEX: Builtins = builtins!(OF_300_VERTEX);
-static ES_100_FRAGMENT: Builtins = builtins!(OF_100_FRAGMENT);
-static ES_100_VERTEX: Builtins = builtins!(OF_100_VERTEX);
+static ES_300_FRAGMENT: BuiltinList = builtins!(OF_300_FRAGMENT);
+static ES_300_VERTEX: BuiltinList = builtins!(OF_300_VERTEX);
+static ES_100_FRAGMENT: BuiltinList = builtins!(OF_100_FRAGMENT);
+static ES_100_VERTEX: BuiltinList = builtins!(OF_100_VERTEX);
 
 impl Builtins {
-    /// The built-ins of a version and stage.
-    pub fn of(version: Version, stage: Stage) -> &'static Builtins {
-        match (version, stage) {
-            (Version::Es300, Stage::Fragment) => &ES_300_FRAGMENT,
-            (Version::Es300, Stage::Vertex) => &ES_300_VERTEX,
-            (Version::Es100, Stage::Fragment) => &ES_100_FRAGMENT,
-            (Version::Es100, Stage::Vertex) => &ES_100_VERTEX,
+    /// The built-ins of a version and stage in WebGL2, without extensions.
+    pub fn of(version: Version, stage: Stage) -> Builtins {
+        Builtins {
+            all: match (version, stage) {
+                (Version::Es300, Stage::Fragment) => &ES_300_FRAGMENT,
+                (Version::Es300, Stage::Vertex) => &ES_300_VERTEX,
+                (Version::Es100, Stage::Fragment) => &ES_100_FRAGMENT,
+                (Version::Es100, Stage::Vertex) => &ES_100_VERTEX,
+            },
+            version,
+            context: Context::WEBGL2,
+            active: Extensions::NONE,
         }
+    }
+
+    /// Those in a context, for a shader that turns on some of its extensions.
+    pub fn in_context(self, context: Context, active: Extensions) -> Builtins {
+        Builtins {
+            context,
+            active,
+            ..self
+        }
+    }
+
+    /// Whether the shader can use a function or variable of the list.
+    fn has(&self, name: &str) -> bool {
+        let owner = Extension::that_adds(name, self.version);
+        owner.is_none_or(|extension| self.active.contains(extension))
     }
 
     /// The function of this name, if it exists in this version and stage.
     pub fn function(&self, name: &str) -> Option<BuiltinId> {
-        BuiltinId::named(name).filter(|id| !self.range(*id).is_empty())
+        let found = BuiltinId::named(name).filter(|id| !self.range(*id).is_empty());
+        found.filter(|_| self.has(name))
+    }
+
+    /// The function of this name that a shader must not define for itself. In GLSL ES 1.00 it need not
+    /// turn on the extension.
+    pub fn protected_function(&self, name: &str) -> Option<BuiltinId> {
+        let owner = Extension::that_adds(name, self.version);
+        let is_enabled = |extension| self.context.has(extension, self.version);
+        let mut known = *self;
+        if self.version == Version::Es100 {
+            known
+                .active
+                .extend(owner.filter(|owner| is_enabled(*owner)));
+        }
+        known.function(name)
     }
 
     /// All functions, in table order.
     pub fn functions(&self) -> impl Iterator<Item = BuiltinId> {
         let all = BuiltinId::ALL.iter().copied();
-        all.filter(|id| !self.range(*id).is_empty())
+        all.filter(|id| !self.range(*id).is_empty() && self.has(id.name()))
     }
 
     /// The variable of this name, if it exists in this version and stage.
     pub fn variable(&self, name: &str) -> Option<BuiltinVariable> {
-        let found = self.variables.iter().find(|(n, _)| *n == name);
-        found.map(|(_, variable)| *variable)
+        let mut variables = self.all.variables.iter();
+        let found = variables.find(|(n, _)| *n == name && self.has(name));
+        let mut variable = found.map(|(_, variable)| *variable)?;
+        let (has, is_active) = (
+            self.context.has(Extension::DrawBuffers, self.version),
+            self.active.contains(Extension::DrawBuffers),
+        );
+        match name {
+            "gl_FragData" if is_active => {
+                variable.ty = variable.ty.map(|ty| ty.element().array_of(8))
+            }
+            "gl_MaxDrawBuffers" if self.context.webgl == WebGl::One && !has => {
+                variable.storage = BuiltinStorage::Const(1);
+            }
+            _ => {}
+        }
+        Some(variable)
     }
 
     /// The names of all variables.
     pub fn variable_names(&self) -> impl Iterator<Item = &'static str> {
-        self.variables.iter().map(|(name, _)| *name)
+        let names = self.all.variables.iter().map(|(name, _)| *name);
+        names.filter(|name| self.has(name))
     }
 
     /// Index of a function's first overload, and all its overloads.
     pub fn overloads_of(&self, function: BuiltinId) -> (u32, &'static [Overload]) {
         let range = self.range(function);
-        let overloads = self.overloads.get(range.clone());
+        let overloads = self.all.overloads.get(range.clone());
         (range.start as u32, overloads.unwrap_or(&[]))
+    }
+
+    /// The overloads of all functions.
+    pub fn overloads(&self) -> impl Iterator<Item = &'static Overload> {
+        self.functions()
+            .flat_map(|function| self.overloads_of(function).1)
     }
 
     /// The overload with this index.
     pub fn overload(&self, index: u32) -> Option<&'static Overload> {
-        self.overloads.get(index as usize)
+        self.all.overloads.get(index as usize)
     }
 
     /// Index range of a function's overloads.
     fn range(&self, function: BuiltinId) -> Range<usize> {
-        let at = |i| self.starts.get(i).copied().unwrap_or(0) as usize;
+        let at = |i| self.all.starts.get(i).copied().unwrap_or(0) as usize;
         at(function as usize)..at(function as usize + 1)
     }
 }
@@ -217,7 +292,7 @@ mod tests {
         assert_eq!(count("matrixCompMult"), Some(9));
         assert_eq!(count("texture"), Some(3 * 4 + 3 + 3 * 4 + 2));
         assert_eq!(count("nothing"), None);
-        assert!(all.overloads.iter().all(|o| !o.returns.is_error()));
+        assert!(all.all.overloads.iter().all(|o| !o.returns.is_error()));
     }
 
     #[test]
@@ -225,7 +300,7 @@ mod tests {
         let mut without: BTreeSet<BuiltinId> = BuiltinId::ALL.iter().copied().collect();
         for version in [Version::Es100, Version::Es300] {
             for stage in [Stage::Vertex, Stage::Fragment] {
-                for overload in Builtins::of(version, stage).overloads {
+                for overload in Builtins::of(version, stage).all.overloads {
                     without.remove(&overload.function);
                 }
             }
@@ -237,7 +312,7 @@ mod tests {
     fn parameters_of_texture_lookups_match_the_table() {
         for stage in [Stage::Vertex, Stage::Fragment] {
             for version in [Version::Es100, Version::Es300] {
-                for overload in Builtins::of(version, stage).overloads {
+                for overload in Builtins::of(version, stage).all.overloads {
                     let BuiltinKind::Lookup(lookup) = overload.function.kind() else {
                         continue;
                     };
@@ -287,11 +362,17 @@ mod tests {
             include_str!("variables_300.glsl"),
             include_str!("variables_300_fragment.glsl"),
             include_str!("variables_300_vertex.glsl"),
+            include_str!("extensions_100.glsl"),
+            include_str!("extensions_100_fragment.glsl"),
+            include_str!("extensions_300.glsl"),
+            include_str!("extensions_300_fragment.glsl"),
+            include_str!("extensions_300_vertex.glsl"),
+            include_str!("extensions_vertex.glsl"),
         ] {
             let mut sources = Sources::new();
             let files = ["#version 300 es\n", text]
                 .map(|text| sources.add("", None, Role::User, text).unwrap());
-            let mut read = preprocess(&sources, &files, true);
+            let mut read = preprocess(&sources, &files, true, Context::WEBGL2);
             let language = ParseOptions {
                 version: Version::Es300,
                 is_fragment: true,

@@ -16,7 +16,7 @@ use shaderlint_syntax::ast::QualifierKind;
 const FUNCTIONS: usize = BuiltinId::ALL.len();
 /// Capacity for the overloads of all functions.
 const MAX_OVERLOADS: usize = 640;
-const MAX_VARIABLES: usize = 24;
+const MAX_VARIABLES: usize = 32;
 
 /// Declarations of one or more texts, in their order.
 #[derive(Clone, Copy)]
@@ -364,6 +364,7 @@ const fn read_variable(
     let precision = match word.as_bytes() {
         b"highp" => Some(QualifierKind::Highp),
         b"mediump" => Some(QualifierKind::Mediump),
+        b"lowp" => Some(QualifierKind::Lowp),
         _ => None,
     };
     if precision.is_some() {

@@ -176,8 +176,21 @@ table! {
     TextureCube          "textureCube"           lookup(Implicit),           TEXTURE, Texel,                       NEVER,           Never;
     TextureCubeLod       "textureCubeLod"        lookup(Explicit),           TEXTURE, Texel,                       NEVER,           Never;
 
+    // EXT_shader_texture_lod
+    Texture2DLodExt      "texture2DLodEXT"       lookup(Explicit),           TEXTURE, Texel,                       NEVER,           Never;
+    Texture2DProjLodExt  "texture2DProjLodEXT"   projected(Explicit),        TEXTURE, Texel,                       NEVER,           Never;
+    TextureCubeLodExt    "textureCubeLodEXT"     lookup(Explicit),           TEXTURE, Texel,                       NEVER,           Never;
+    Texture2DGradExt     "texture2DGradEXT"      lookup(Gradient),           TEXTURE, Texel,                       NEVER,           Never;
+    Texture2DProjGradExt "texture2DProjGradEXT"  projected(Gradient),        TEXTURE, Texel,                       NEVER,           Never;
+    TextureCubeGradExt   "textureCubeGradEXT"    lookup(Gradient),           TEXTURE, Texel,                       NEVER,           Never;
+
     // 8.9 Fragment processing
     DFdx                 "dFdx"                  Derivative(Axis::X),        ONE,     Mixed,                       NEVER,           Never;
     DFdy                 "dFdy"                  Derivative(Axis::Y),        ONE,     Mixed,                       NEVER,           Never;
     Fwidth               "fwidth"                Derivative(Axis::Both),     ONE,     MixedMagnitude,              NEVER,           Never;
+
+    // OES_shader_multisample_interpolation; no recipe, so that it is not run
+    InterpolateAtCentroid "interpolateAtCentroid" Math,   ONE,     Unknown,                     NEVER,           Never;
+    InterpolateAtSample  "interpolateAtSample"   Math,    ONE,     Unknown,                     NEVER,           Never;
+    InterpolateAtOffset  "interpolateAtOffset"   Math,    ONE,     Unknown,                     NEVER,           Never;
 }

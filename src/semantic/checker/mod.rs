@@ -55,7 +55,7 @@ pub use limits::LimitError;
 pub use names::{NameError, Owner};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Feature, Name, Names, Search, TokenKind, Tokens, Version};
+use shaderlint_syntax::{Context, Feature, Name, Names, Search, TokenKind, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
 pub use statement::{Condition, StatementError};
 use std::ops::Deref;
@@ -78,6 +78,8 @@ pub struct ParsedShader {
     pub tree: Tree,
     /// The GLSL ES version of the shader.
     pub version: Version,
+    /// The context that compiles it.
+    pub context: Context,
     /// Whether the preprocessor or the parser reported errors.
     pub has_errors: bool,
     /// Number of errors after which checking stops.
@@ -130,12 +132,14 @@ pub fn check(
         names,
         tree,
         version,
+        context,
         has_errors,
         ..
     } = parsed;
     let program = Program {
         sources,
         version,
+        context,
         stage,
         dialect,
         exprs,
@@ -177,7 +181,8 @@ fn look(
             version,
             stage,
             dialect,
-            builtins: Builtins::of(version, stage),
+            context: parsed.context,
+            builtins: Builtins::of(version, stage).in_context(parsed.context, parsed.tokens.active),
         },
         channels,
         syntax_errors: parsed.has_errors,

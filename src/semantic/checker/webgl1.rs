@@ -1,6 +1,7 @@
 //! Restrictions of WebGL1 on loops and indices, from Appendix A of GLSL ES 1.00.
 
 use super::*;
+use shaderlint_syntax::WebGl;
 
 /// Something of GLSL ES 1.00 that WebGL1 does not accept.
 #[derive(Clone, Copy, Debug)]
@@ -149,7 +150,7 @@ impl Checker<'_> {
             return;
         };
         let info = self.info(index);
-        if is_frag_data {
+        if is_frag_data && self.context.webgl == WebGl::Two {
             // Constants that are out of range are reported as for any array.
             if !info.is_const {
                 let extent = self.tree.expr(index).extent;

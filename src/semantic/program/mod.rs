@@ -15,7 +15,7 @@ use super::dialect::Dialect;
 use super::types::{Base, Struct, Type, type_name};
 use shaderlint_diagnostic::MacroUse;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Name, Names, Token, Tokens, Version, macro_uses};
+use shaderlint_syntax::{Context, Name, Names, Token, Tokens, Version, macro_uses};
 use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
@@ -216,6 +216,8 @@ pub struct Program {
     pub tree: Tree,
     /// The version of the language.
     pub version: Version,
+    /// The context that compiles it.
+    pub context: Context,
     /// Vertex or fragment.
     pub stage: Stage,
     /// Host that runs it.
@@ -244,6 +246,11 @@ impl Program {
     /// Number of tokens and macro calls.
     pub fn size(&self) -> usize {
         self.tokens.tokens.len() + self.tokens.expansions.len()
+    }
+
+    /// The built-in functions and variables that it can use.
+    pub fn builtins(&self) -> Builtins {
+        Builtins::of(self.version, self.stage).in_context(self.context, self.tokens.active)
     }
 
     /// Type, value and resolution of an expression.
@@ -292,9 +299,7 @@ impl Program {
     /// The overload of a built-in function that an expression calls.
     pub fn overload_called(&self, id: ExprId) -> Option<&'static Overload> {
         match self.expr(id).resolution {
-            Resolution::Builtin(overload) => {
-                Builtins::of(self.version, self.stage).overload(overload)
-            }
+            Resolution::Builtin(overload) => self.builtins().overload(overload),
             _ => None,
         }
     }
@@ -309,9 +314,7 @@ impl Program {
 
     /// The precision of a built-in variable.
     pub fn builtin_precision(&self, name: Name) -> Option<QualifierKind> {
-        Builtins::of(self.version, self.stage)
-            .variable(self.names.text(name))?
-            .precision
+        self.builtins().variable(self.names.text(name))?.precision
     }
 
     /// Whether a position is in the user's text rather than in text added by a host.

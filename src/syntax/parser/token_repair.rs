@@ -544,7 +544,7 @@ mod tests {
             .into_iter()
             .chain(sources.add("a.frag", None, Role::User, text))
             .collect();
-        let mut read = preprocess(&sources, &files, true);
+        let mut read = preprocess(&sources, &files, true, crate::Context::WEBGL2);
         let language = ParseOptions {
             version: Version::Es300,
             is_fragment: true,

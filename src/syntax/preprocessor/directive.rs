@@ -2,15 +2,14 @@
 
 use super::condition::{ConditionProblem, evaluate, evaluate_prefix};
 use super::directive_repair::meant;
-use super::extensions::{CORE_EXTENSIONS, EXTENSION_BEHAVIORS, KNOWN_EXTENSIONS};
 use super::macros::{Macro, MacroId, Piece};
-use super::{ExtensionUse, Preprocessor, bad, error_at};
+use super::{Preprocessor, bad, error_at};
 use crate::language::Feature;
 use crate::names::Name;
 use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
-use shaderlint_text::{Edit, Role, Span};
+use shaderlint_text::{Edit, Span};
 
 impl Preprocessor<'_> {
     /// Defines the predefined macros of the language.
@@ -24,7 +23,7 @@ impl Preprocessor<'_> {
         ] {
             self.predefine(name, value);
         }
-        self.predefine(KNOWN_EXTENSIONS[0], 1);
+        self.predefine_extensions();
     }
 
     pub(super) fn predefine(&mut self, name: &str, value: u32) {
@@ -386,62 +385,6 @@ impl Preprocessor<'_> {
             _ => return,
         };
         self.report(error_at(error::BAD_DIRECTIVE, span, message));
-    }
-
-    fn extension(&mut self, span: Span, rest: &[Piece]) {
-        let [name, colon, behavior] = rest else {
-            return self.expected(span, &[], "`#extension NAME : enable`");
-        };
-        let is_word = |p: &Piece| p.token.kind == TokenKind::Identifier;
-        if !is_word(name) || colon.token.kind != TokenKind::Colon || !is_word(behavior) {
-            return self.expected(span, &[], "`#extension NAME : enable`");
-        }
-        let (name, behavior) = (Name(name.token.value), Name(behavior.token.value));
-        if self.seen_code && self.role == Role::User {
-            let d = error_at(
-                error::EXTENSION_PLACEMENT,
-                span,
-                "`#extension` must come before any code",
-            )
-            .note("only directives and comments may come before it (section 3.4)");
-            self.report(d);
-        }
-        self.out.extensions.push(ExtensionUse {
-            name,
-            behavior,
-            span,
-        });
-        let (text, how) = (
-            self.names.text(name).to_string(),
-            self.names.text(behavior).to_string(),
-        );
-        let message = match how.as_str() {
-            "require" if text == "all" => "`all` cannot be combined with `require`".to_string(),
-            "enable" if text == "all" => "`all` cannot be combined with `enable`".to_string(),
-            "require" if !KNOWN_EXTENSIONS.contains(&text.as_str()) => {
-                format!("WebGL2 has no shader extension `{text}`")
-            }
-            how if EXTENSION_BEHAVIORS.contains(&how) => return,
-            _ => format!("expected `require`, `enable`, `warn` or `disable`, found `{how}`"),
-        };
-        let d = error_at(error::UNKNOWN_EXTENSION, span, message);
-        let is_core =
-            self.version.has(Feature::CoreExtensions) && CORE_EXTENSIONS.contains(&text.as_str());
-        if !is_core {
-            return self.report(d);
-        }
-        let line = Span::new(span.start, span.end + 1);
-        let removed = match self.sources.text(line).ends_with('\n') {
-            true => line,
-            false => span,
-        };
-        self.report(
-            d.note("its features are built into GLSL ES 3.00")
-                .fix(Fix::safe(
-                    "remove the directive",
-                    vec![Edit::delete(removed)],
-                )),
-        );
     }
 
     fn line(&mut self, span: Span, rest: &[Piece]) {

@@ -21,6 +21,7 @@ pub use directive_repair::DIRECTIVES;
 pub use extensions::{EXTENSION_BEHAVIORS, extensions};
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
+use super::context::{Context, Extensions};
 use super::language::Feature;
 use super::lexer::{Lexer, unsplice};
 use super::names::{Name, Names, Version, WordClass};
@@ -40,8 +41,6 @@ const MAX_EXPANDED: usize = 1_000_000;
 /// Maximum number of tokens copied for calls inside arguments; calls spelled out there are read in
 /// place and do not count.
 const MAX_GATHERED: usize = 10_000_000;
-/// Longest word that the browser accepts, in bytes.
-const MAX_WORD: usize = 1_024;
 
 /// Output of the preprocessor.
 #[derive(Default)]
@@ -67,6 +66,8 @@ pub struct Tokens {
     pub alternatives: Vec<Span>,
     /// All `#extension` directives, in source order.
     pub extensions: Vec<ExtensionUse>,
+    /// The extensions that they turn on.
+    pub active: Extensions,
     /// Span of the `#version` directive.
     pub version_span: Option<Span>,
     /// Whether `#pragma STDGL invariant(all)` makes every output invariant.
@@ -104,9 +105,14 @@ pub struct Preprocessed {
     pub gave_up: bool,
 }
 
-/// Preprocesses `files` as one text, for a fragment or vertex shader.
-pub fn preprocess(sources: &Sources, files: &[FileId], is_fragment: bool) -> Preprocessed {
-    let mut pp = Preprocessor::new(sources, files, is_fragment);
+/// Preprocesses `files` as one text, for a fragment or vertex shader that a context compiles.
+pub fn preprocess(
+    sources: &Sources,
+    files: &[FileId],
+    is_fragment: bool,
+    context: Context,
+) -> Preprocessed {
+    let mut pp = Preprocessor::new(sources, files, is_fragment, context);
     pp.define_predefined();
     pp.run();
     Preprocessed {
@@ -176,6 +182,7 @@ struct Preprocessor<'a> {
     /// Whether a host adds text before the user's.
     has_prelude: bool,
     is_fragment: bool,
+    context: Context,
     names: Names,
     version: Version,
     macros: Vec<Macro>,
@@ -220,7 +227,12 @@ fn end_token(at: u32) -> Token {
 }
 
 impl<'a> Preprocessor<'a> {
-    fn new(sources: &'a Sources, files: &'a [FileId], is_fragment: bool) -> Preprocessor<'a> {
+    fn new(
+        sources: &'a Sources,
+        files: &'a [FileId],
+        is_fragment: bool,
+        context: Context,
+    ) -> Preprocessor<'a> {
         Preprocessor {
             sources,
             files: files.iter(),
@@ -230,6 +242,7 @@ impl<'a> Preprocessor<'a> {
             role: Role::User,
             has_prelude: false,
             is_fragment,
+            context,
             names: Names::default(),
             version: Version::Es100,
             macros: Vec::new(),
@@ -501,16 +514,19 @@ impl<'a> Preprocessor<'a> {
     #[cold]
     fn check_odd(&mut self, name: Name, token: &Token) {
         let text = self.names.text(name);
-        if self.bad_words.contains(&name) || (text.len() <= MAX_WORD && text.is_ascii()) {
+        let limit = self.context.longest_name();
+        if self.bad_words.contains(&name) || (text.len() <= limit && text.is_ascii()) {
             return;
         }
         let d = if text.is_ascii() {
             error_at(
                 error::BROWSER_LIMIT,
                 token.span,
-                format!("name has {} characters; the limit is 1024", text.len()),
+                format!("name has {} characters; the limit is {limit}", text.len()),
             )
-            .note("names are limited to 1024 characters (GLSL ES 3.00 section 3.9)")
+            .note(format!(
+                "names are limited to {limit} characters in this version of WebGL"
+            ))
         } else {
             let foreign = text.chars().find(|c| !c.is_ascii()).unwrap_or(' ');
             error_at(

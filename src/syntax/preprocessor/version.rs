@@ -1,8 +1,8 @@
 //! The `#version` directive and its placement (GLSL ES 3.00 section 3.3).
 
-use super::extensions::KNOWN_EXTENSIONS;
 use super::macros::Piece;
 use super::{Preprocessor, error_at};
+use crate::context::WebGl;
 use crate::names::Version;
 use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, Subject, error};
@@ -27,7 +27,10 @@ impl Preprocessor<'_> {
             (100, []) => self.set_version(Version::Es100),
             (300, ["es"]) => {
                 self.set_version(Version::Es300);
-                self.check_first_line(span);
+                match self.context.webgl {
+                    WebGl::One => self.refuse_300(span),
+                    WebGl::Two => self.check_first_line(span),
+                }
             }
             (300, []) => {
                 self.set_version(Version::Es300);
@@ -67,6 +70,12 @@ impl Preprocessor<'_> {
                 self.report(d.fix(fix));
             }
         }
+    }
+
+    fn refuse_300(&mut self, span: Span) {
+        let message = "a WebGL1 context does not compile GLSL ES 3.00";
+        let d = error_at(error::UNSUPPORTED_VERSION, span, message);
+        self.report(d.help("ask for the context with `getContext('webgl2')`"));
     }
 
     /// `#version 300es`, `#version 3.00 es`: the version that it resembles is assumed.
@@ -109,7 +118,7 @@ impl Preprocessor<'_> {
             piece.token.value = value;
         }
         if version == Version::Es300 {
-            self.predefine(KNOWN_EXTENSIONS[1], 1);
+            self.predefine_extensions();
         }
     }
 

@@ -3,14 +3,16 @@
 use super::mistake::Mistake;
 use super::rules::Rules;
 use super::word_or::WordOr;
-use crate::options::{Desktop, DialectChoice, HostNames, HostUniform, TargetVersion};
+use crate::options::{
+    ContextChoice, Desktop, DialectChoice, HostNames, HostUniform, TargetVersion,
+};
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use shaderlint_format::{Brace, Indentation, StyleChoice};
-use shaderlint_host::{Preset, host_named, names};
+use shaderlint_host::{Preset, host_named, names, none_of};
 use shaderlint_lint::{Renderer, RulePreset};
-use shaderlint_syntax::{Version, WordClass, classify};
+use shaderlint_syntax::{EXTENSIONS, Extension, Extensions, Version, WordClass, classify};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -34,6 +36,11 @@ pub struct ConfigFile {
     pub run_samples: Option<u32>,
     /// Dialect of the shaders
     pub dialect: Option<DialectChoice>,
+    /// Context of WebGL that compiles the shaders
+    pub context: Option<ContextChoice>,
+    /// Extensions that are enabled in the context, as in `getExtension`
+    #[schemars(with = "Option<Vec<String>>")]
+    pub extensions: Option<Vec<Spanned<String>>>,
     /// How to treat desktop GLSL and other shaders that WebGL cannot compile
     pub desktop: Option<Desktop>,
     /// Site or library that completes the shaders
@@ -74,6 +81,11 @@ pub struct Override {
     pub run_samples: Option<u32>,
     /// Dialect of the shaders
     pub dialect: Option<DialectChoice>,
+    /// Context of WebGL that compiles the shaders
+    pub context: Option<ContextChoice>,
+    /// Extensions that are enabled in the context, as in `getExtension`
+    #[schemars(with = "Option<Vec<String>>")]
+    pub extensions: Option<Vec<Spanned<String>>>,
     /// How to treat desktop GLSL and other shaders that WebGL cannot compile
     pub desktop: Option<Desktop>,
     /// Site or library that completes the shaders
@@ -86,6 +98,18 @@ pub struct Override {
     /// Levels and options of rules and groups
     #[serde(default)]
     pub rules: Rules,
+}
+
+/// The extensions that a list names.
+pub fn enabled(list: Option<Vec<Spanned<String>>>) -> Result<Option<Extensions>, Mistake> {
+    let named = |entry: &Spanned<String>| {
+        Extension::named(entry.get_ref()).ok_or_else(|| {
+            let known: Vec<&str> = EXTENSIONS.iter().map(|facts| facts.name).collect();
+            Mistake::at(entry, none_of(entry.get_ref(), &known))
+        })
+    };
+    list.map(|list| list.iter().map(named).collect())
+        .transpose()
 }
 
 /// Style of `shaderlint fmt`

@@ -9,8 +9,8 @@ mod word_or;
 pub use schema::schema;
 
 use super::layer::{Config, Layer};
-use crate::options::TargetVersion;
-use file::{ConfigFile, HostEntry, Patterns};
+use crate::options::{ContextChoice, TargetVersion};
+use file::{ConfigFile, HostEntry, Patterns, enabled};
 use mistake::Mistake;
 use shaderlint_text::LineIndex;
 
@@ -47,6 +47,8 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
             target_version: own.target_version.map(TargetVersion::version),
             run_samples: own.run_samples,
             dialect: own.dialect,
+            webgl: own.context.map(ContextChoice::webgl),
+            extensions: enabled(own.extensions)?,
             desktop: own.desktop,
             host: own.host.map(HostEntry::names).transpose()?,
             include_roots: own.include_roots,
@@ -64,6 +66,8 @@ fn config(file: ConfigFile) -> Result<Config, Mistake> {
             target_version: file.target_version.map(TargetVersion::version),
             run_samples: file.run_samples,
             dialect: file.dialect,
+            webgl: file.context.map(ContextChoice::webgl),
+            extensions: enabled(file.extensions)?,
             desktop: file.desktop,
             host: file.host.map(HostEntry::names).transpose()?,
             include_roots: file.include_roots,

@@ -64,7 +64,7 @@ impl Explain for EntryError {
 
 impl ExplainContext<'_> {
     /// Where something that the shader lacks is reported: the start of its last file.
-    fn start_of_shader(&self) -> Span {
+    pub(crate) fn start_of_shader(&self) -> Span {
         let end = self.tokens.tokens.last().map_or(0, |t| t.span.end);
         self.sources
             .code_at(end)

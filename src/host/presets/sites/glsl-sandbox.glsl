@@ -8,6 +8,7 @@
 //
 // source: static/index.html of mrdoob/glsl-sandbox
 // version: 100
+// context: webgl1 OES_standard_derivatives
 // names: some
 // entry: main
 #ifdef SHADER_DECLARES

@@ -335,7 +335,7 @@ impl Checker<'_> {
     /// with the same parameters.
     fn check_builtin_name(&mut self, ident: Ident, params: &[Parameter]) -> bool {
         let text = self.text(ident.name);
-        let Some(found) = self.builtins.function(text) else {
+        let Some(found) = self.builtins.protected_function(text) else {
             return true;
         };
         if !self.has(Feature::OverloadedBuiltins) && found.is_redefinable() {

@@ -1,0 +1,2 @@
+// What WEBGL_multi_draw adds to vertex shaders.
+in highp int gl_DrawID;
