@@ -58,6 +58,7 @@ pages! {
     "macro-redefinition",
     "mainimage-signature",
     "misplaced-jump",
+    "missing-extension",
     "missing-main",
     "missing-output",
     "missing-precision",

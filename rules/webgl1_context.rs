@@ -2,9 +2,10 @@
 
 use shaderlint_diagnostic::Severity;
 use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
-use shaderlint_syntax::Version;
+use shaderlint_syntax::{Version, WebGl};
 
-/// Compares the version of the shader with the `getContext` call of its page.
+/// Compares the version of the shader with the `getContext` call of its page. If the page compiles the shader
+/// itself, `unsupported-version` reports it.
 pub static RULE: Rule = Rule {
     name: "webgl1-context",
     group: Group::Webgl2,
@@ -19,7 +20,9 @@ fn check(cx: &mut Context) {
     let Some(span) = cx.program.tokens.version_span else {
         return;
     };
-    if cx.facts.around.embedder.is_webgl1 && cx.program.version == Version::Es300 {
+    let context = cx.program.context;
+    let is_presumed = context.webgl == WebGl::One && !context.is_known;
+    if is_presumed && cx.program.version == Version::Es300 {
         cx.report_span(
             span,
             "page requests a WebGL1 context, which rejects `#version 300 es`",

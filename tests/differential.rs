@@ -109,7 +109,12 @@ fn preprocessed(text: &str) -> (String, bool) {
     let header = sources.add("", None, Role::Prelude, header);
     let file = sources.add("a.glsl", None, Role::User, text);
     let files = [header.unwrap(), file.unwrap()];
-    let mut read = preprocess(&sources, &files, true);
+    let mut read = preprocess(
+        &sources,
+        &files,
+        true,
+        shaderlint::syntax::GlContext::WEBGL2,
+    );
     let language = ParseOptions {
         version: read.version,
         is_fragment: true,

@@ -437,6 +437,7 @@ fn checked(stage: Stage, code: &str) -> Checked {
         files: &files,
         stage,
         dialect: Dialect::WebGl,
+        context: shaderlint::syntax::GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     });

@@ -9,6 +9,7 @@ use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, Options, check};
 use shaderlint::lint::Settings;
 use shaderlint::project::NoFiles;
+use shaderlint::syntax::{EXTENSIONS, WebGl};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -19,10 +20,19 @@ struct Case<'a> {
     verdict: Vec<&'a str>,
     is_new: bool,
     is_fragment: bool,
+    /// The context, if the head names one; otherwise WebGL2.
+    webgl: Option<WebGl>,
+    /// Whether all extensions of the context are enabled.
+    has_extensions: bool,
     code: String,
 }
 
-/// Parses the head of a case, `//: VERDICT[, VERSION STAGE][: TITLE]`.
+/// What a head may say about a case.
+const WORDS: [&str; 7] = [
+    "100", "300", "vertex", "fragment", "webgl1", "webgl2", "extended",
+];
+
+/// Parses the head of a case, `//: VERDICT[, VERSION STAGE CONTEXT][: TITLE]`.
 fn head(line: &str) -> Option<Case<'_>> {
     let message = line.strip_prefix("//: ")?;
     let message = message
@@ -30,8 +40,7 @@ fn head(line: &str) -> Option<Case<'_>> {
         .map_or(message, |(message, _)| message);
     let (verdict, kind) = message.split_once(", ").unwrap_or((message, ""));
     assert!(
-        kind.split_whitespace()
-            .all(|w| ["100", "300", "vertex", "fragment"].contains(&w)),
+        kind.split_whitespace().all(|w| WORDS.contains(&w)),
         "{line}"
     );
     Some(Case {
@@ -39,6 +48,12 @@ fn head(line: &str) -> Option<Case<'_>> {
         verdict: verdict.split(' ').collect(),
         is_new: !kind.contains("100"),
         is_fragment: !kind.contains("vertex"),
+        webgl: match (kind.contains("webgl1"), kind.contains("webgl2")) {
+            (true, _) => Some(WebGl::One),
+            (_, true) => Some(WebGl::Two),
+            _ => None,
+        },
+        has_extensions: kind.contains("extended"),
         code: String::new(),
     })
 }
@@ -58,13 +73,13 @@ fn cases(text: &str) -> Vec<Case<'_>> {
 /// The complete shader, and its file name.
 fn shader(case: &Case) -> (String, &'static str) {
     let name = if case.is_fragment { "a.frag" } else { "a.vert" };
-    let code = case.code.trim_end();
+    let code = format!("{}\n", case.code.trim_end());
     let is_version = |line: &str| {
         let name = line.trim_start().strip_prefix('#').map(str::trim_start);
         name.is_some_and(|name| name.starts_with("version"))
     };
     if code.lines().any(is_version) {
-        return (format!("{code}\n"), name);
+        return (code, name);
     }
     let version = if case.is_new { "300 es" } else { "100" };
     let precision = if case.is_fragment {
@@ -75,15 +90,21 @@ fn shader(case: &Case) -> (String, &'static str) {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let has_main = code.split(|c| !is_word(c)).any(|w| w == "main");
     let main = if has_main { "" } else { "void main() {}\n" };
-    (
-        format!("#version {version}\n{precision}{code}\n{main}"),
-        name,
-    )
+    // Directives for a context stand before all code.
+    let is_directive = |line: &&str| case.webgl.is_some() && line.starts_with('#');
+    let lines = code.split_inclusive('\n');
+    let length: usize = lines.take_while(is_directive).map(str::len).sum();
+    let (directives, code) = code.split_at(length);
+    let code = format!("#version {version}\n{directives}{precision}{code}{main}");
+    (code, name)
 }
 
 /// The rule of the first error that shaderlint reports.
 fn judge(case: &Case) -> Option<&'static str> {
-    let options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
+    let mut options = Options::new(DialectChoice::Auto, Settings::of_rules(&[]));
+    let all = EXTENSIONS.iter().map(|facts| facts.extension);
+    options.webgl = Some(case.webgl.unwrap_or(WebGl::Two));
+    options.extensions = Some(all.filter(|_| case.has_extensions).collect());
     let (text, name) = shader(case);
     let report = check(name, &text, &options, &NoFiles);
     assert!(report.unread.is_none(), "unreadable case: {}", case.head);

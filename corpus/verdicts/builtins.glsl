@@ -175,7 +175,7 @@ uniform sampler2D s; vec4 f() { return texture(s, vec2(0.)); }
 uniform sampler2D s; vec4 f() { return texture2DLod(s, vec2(0.), 0.); }
 //: accepted, 100 vertex: a level in a vertex shader of GLSL ES 1.00
 uniform sampler2D s; vec4 f() { return texture2DLod(s, vec2(0.), 0.); }
-//: refused 4 undeclared-name, 100: an extension that WebGL2 does not provide: levels
+//: refused 4 missing-extension, 100: an extension that WebGL2 does not provide: levels
 #version 100
 #extension GL_EXT_shader_texture_lod : enable
 precision mediump float;
@@ -195,7 +195,7 @@ void main() { gl_FragCoord.x = 1.; }
 void main() { gl_FragDepth = .5; gl_FragDepth += .1; }
 //: refused 1 needs-webgl2, 100: gl_FragDepth in GLSL ES 1.00
 void main() { gl_FragDepth = .5; }
-//: refused 4 undeclared-name, 100: an extension that WebGL2 does not provide: depth
+//: refused 4 missing-extension, 100: an extension that WebGL2 does not provide: depth
 #version 100
 #extension GL_EXT_frag_depth : enable
 precision mediump float;

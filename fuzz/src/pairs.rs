@@ -7,7 +7,7 @@ use shaderlint::diagnostic::Severity;
 use shaderlint::explain::analyze;
 use shaderlint::explain::link::link;
 use shaderlint::semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint::syntax::Context;
+use shaderlint::syntax::GlContext;
 use shaderlint::text::{Role, Sources};
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ pub fn check_pair(vertex: &str, fragment: &str) -> (bool, Vec<String>) {
             files,
             stage,
             dialect: Dialect::WebGl,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
             infer_channels: false,
             completeness: Completeness::Complete,
         });

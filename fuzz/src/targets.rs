@@ -16,7 +16,7 @@ use shaderlint::project::{Project, compose};
 use shaderlint::report::{Format, Reporter};
 use shaderlint::rules::RULES;
 use shaderlint::semantic::Stage;
-use shaderlint::syntax::{Context, ParseOptions, Search, parse, preprocess, tokenize};
+use shaderlint::syntax::{GlContext, ParseOptions, Search, parse, preprocess, tokenize};
 use shaderlint::text::{FileId, Role, Sources, apply_edits};
 
 /// A fuzz target.
@@ -135,7 +135,7 @@ fn lex(text: &str) {
     }
     assert_eq!(at as usize, text.len(), "the tokens end early");
     let (sources, files) = sources(text);
-    let read = preprocess(&sources, &files, true, Context::WEBGL2);
+    let read = preprocess(&sources, &files, true, GlContext::WEBGL2);
     for token in &read.tokens.tokens {
         assert!(
             sources.file_at(token.span.start).is_some(),
@@ -162,7 +162,7 @@ fn format_twice(text: &str) {
         let once = formatted(text);
         let read = |text: &str| {
             let (sources, files) = sources(text);
-            let read = preprocess(&sources, &files, true, Context::WEBGL2);
+            let read = preprocess(&sources, &files, true, GlContext::WEBGL2);
             let tokens = read.tokens.tokens.iter();
             let tokens = tokens.map(|t| (t.kind, t.value));
             tokens.collect::<Vec<_>>()
@@ -175,7 +175,7 @@ fn format_twice(text: &str) {
 /// The parser: children are stored before their parents.
 fn parse_only(text: &str) {
     let (sources, files) = sources(text);
-    let mut read = preprocess(&sources, &files, true, Context::WEBGL2);
+    let mut read = preprocess(&sources, &files, true, GlContext::WEBGL2);
     let language = ParseOptions {
         version: read.version,
         is_fragment: true,

@@ -7,7 +7,7 @@ use super::single_pass::analyze_single_pass;
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_semantic::problem::MAX_ERRORS;
 use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint_syntax::{Context, Search};
+use shaderlint_syntax::{GlContext, Search};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ fn analyze_files(sources: Sources, files: &[FileId]) -> Checked {
         files,
         stage: Stage::Fragment,
         dialect: Dialect::WebGl,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     })

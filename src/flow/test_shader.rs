@@ -1,7 +1,7 @@
 //! Shaders for the unit tests of the analyses.
 
 use shaderlint_semantic::{CheckedShader, Completeness, Dialect, Pass, Stage, Unit, check_shader};
-use shaderlint_syntax::{Context, Search};
+use shaderlint_syntax::{GlContext, Search};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub(super) fn checked(code: &str) -> CheckedShader {
         files: &[header, user],
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(Pass::Image),
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: true,
         completeness: Completeness::Complete,
     };

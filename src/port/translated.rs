@@ -8,7 +8,7 @@ use super::{Composed, Project};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_explain::{Checked, analyze};
 use shaderlint_semantic::{Completeness, Dialect, GuessedKind, Stage, Unit, guess};
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;
@@ -73,7 +73,7 @@ pub fn complete_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<C
             files: &[file],
             stage,
             dialect: Dialect::WebGl,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
             infer_channels: false,
             completeness: Completeness::Complete,
         });

@@ -4,7 +4,7 @@ use super::sliders::{SliderChoice, Sliders};
 use super::{OutputId, Project, ProjectPass, Wrapper};
 use shaderlint_explain::{Checked, analyze};
 use shaderlint_semantic::{Channels, Completeness, Dialect, Pass, Stage, Unit};
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
@@ -77,7 +77,7 @@ impl Composed {
                     Wrapper::Player => Dialect::ShaderToy(unit.kind),
                     Wrapper::Own => Dialect::WebGl,
                 },
-                context: Context::WEBGL2,
+                context: GlContext::WEBGL2,
                 infer_channels: false,
                 completeness: Completeness::Complete,
             })

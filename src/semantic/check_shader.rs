@@ -9,7 +9,7 @@ use super::problem::Problems;
 use super::program::Program;
 use super::unit::{Completeness, Unit};
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_syntax::{Context, ParseOptions, Preprocessed, Search, parse, preprocess};
+use shaderlint_syntax::{GlContext, ParseOptions, Preprocessed, Search, parse, preprocess};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
@@ -101,7 +101,7 @@ pub fn check_fragment(code: &str) -> CheckedShader {
         files: file.as_slice(),
         stage: Stage::Fragment,
         dialect: Dialect::WebGl,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     };

@@ -180,7 +180,7 @@ mod tests {
     use super::*;
     use crate::problem::MAX_ERRORS;
     use crate::{Completeness, Dialect, Pass, Stage};
-    use shaderlint_syntax::Context;
+    use shaderlint_syntax::GlContext;
     use shaderlint_syntax::{Search, parse, preprocess};
     use shaderlint_text::{Role, Sources};
     use std::sync::Arc;
@@ -201,11 +201,11 @@ mod tests {
             files: &files,
             stage: Stage::Fragment,
             dialect,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
             infer_channels: true,
             completeness: Completeness::Complete,
         };
-        let mut read = preprocess(&sources, &files, true, Context::WEBGL2);
+        let mut read = preprocess(&sources, &files, true, GlContext::WEBGL2);
         let options = ParseOptions {
             version: read.version,
             is_fragment: true,
@@ -218,7 +218,7 @@ mod tests {
             names: read.names,
             tree: parse.tree,
             version: read.version,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
             has_errors: true,
             enough,
         };

@@ -8,7 +8,7 @@ use super::types::{Struct, Type, type_name};
 use super::typing::Types;
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{
-    Context, ExactPlace, Feature, Name, Names, Token, TokenKind, Tokens, Version,
+    ExactPlace, Feature, GlContext, Name, Names, Token, TokenKind, Tokens, Version,
 };
 use shaderlint_text::{Role, Sources, Span};
 use std::ops::Deref;
@@ -23,7 +23,7 @@ pub struct ParsedView<'a> {
     pub version: Version,
     pub stage: Stage,
     pub dialect: Dialect,
-    pub context: Context,
+    pub context: GlContext,
     pub builtins: Builtins,
 }
 

@@ -2,7 +2,7 @@
 
 use super::builtins::Stage;
 use super::dialect::Dialect;
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::{FileId, Sources};
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ pub struct Unit<'a> {
     /// Host that runs the shader.
     pub dialect: Dialect,
     /// The context that compiles it.
-    pub context: Context,
+    pub context: GlContext,
     /// Whether the types of its channels are unknown and inferred from their uses.
     pub infer_channels: bool,
     /// How much of a shader the files contain.

@@ -16,7 +16,7 @@ pub enum WebGl {
 /// An extension of WebGL that adds to the language.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[expect(missing_docs, reason = "each is described by its row")]
-pub enum Extension {
+pub enum GlExtension {
     StandardDerivatives,
     ShaderTextureLod,
     FragDepth,
@@ -34,7 +34,7 @@ pub enum Extension {
 #[derive(Debug)]
 pub struct ExtensionFacts {
     /// The extension.
-    pub extension: Extension,
+    pub extension: GlExtension,
     /// The argument of `getExtension`.
     pub name: &'static str,
     /// The names that `#extension` knows.
@@ -49,9 +49,9 @@ pub struct ExtensionFacts {
 
 /// All extensions, in the order of [`Extension`].
 pub static EXTENSIONS: [ExtensionFacts; 11] = {
-    use Extension::*;
+    use GlExtension::*;
     const fn row(
-        extension: Extension,
+        extension: GlExtension,
         name: &'static str,
         directives: &'static [&'static str],
         adds: &'static [&'static str],
@@ -116,7 +116,7 @@ impl ExtensionFacts {
     }
 }
 
-impl Extension {
+impl GlExtension {
     /// What is known about it.
     pub fn facts(self) -> &'static ExtensionFacts {
         let [first, ..] = &EXTENSIONS;
@@ -124,14 +124,16 @@ impl Extension {
     }
 
     /// The extension of this name, as in `getExtension` or in `#extension`.
-    pub fn named(name: &str) -> Option<Extension> {
+    pub fn named(name: &str) -> Option<GlExtension> {
         let mut all = EXTENSIONS.iter();
-        let found = all.find(|facts| facts.name == name || facts.directives.contains(&name));
+        // `getExtension` ignores case.
+        let is_named = |facts: &&ExtensionFacts| facts.name.eq_ignore_ascii_case(name);
+        let found = all.find(|facts| is_named(facts) || facts.directives.contains(&name));
         found.map(|facts| facts.extension)
     }
 
     /// The extension that adds a function or variable to a version of the language.
-    pub fn that_adds(name: &str, version: Version) -> Option<Extension> {
+    pub fn that_adds(name: &str, version: Version) -> Option<GlExtension> {
         let mut all = EXTENSIONS.iter();
         let found = all.find(|facts| facts.adds.contains(&name) && facts.extends(version));
         found.map(|facts| facts.extension)
@@ -147,17 +149,17 @@ impl Extensions {
     pub const NONE: Extensions = Extensions(0);
 
     /// Adds one.
-    pub fn insert(&mut self, extension: Extension) {
+    pub fn insert(&mut self, extension: GlExtension) {
         self.0 |= 1 << extension as u16;
     }
 
     /// Removes one.
-    pub fn remove(&mut self, extension: Extension) {
+    pub fn remove(&mut self, extension: GlExtension) {
         self.0 &= !(1 << extension as u16);
     }
 
     /// Whether it contains one.
-    pub fn contains(self, extension: Extension) -> bool {
+    pub fn contains(self, extension: GlExtension) -> bool {
         self.0 & 1 << extension as u16 != 0
     }
 
@@ -172,14 +174,14 @@ impl Extensions {
     }
 }
 
-impl Extend<Extension> for Extensions {
-    fn extend<T: IntoIterator<Item = Extension>>(&mut self, all: T) {
+impl Extend<GlExtension> for Extensions {
+    fn extend<T: IntoIterator<Item = GlExtension>>(&mut self, all: T) {
         all.into_iter().for_each(|extension| self.insert(extension));
     }
 }
 
-impl FromIterator<Extension> for Extensions {
-    fn from_iter<T: IntoIterator<Item = Extension>>(all: T) -> Extensions {
+impl FromIterator<GlExtension> for Extensions {
+    fn from_iter<T: IntoIterator<Item = GlExtension>>(all: T) -> Extensions {
         let mut set = Extensions::NONE;
         set.extend(all);
         set
@@ -188,7 +190,7 @@ impl FromIterator<Extension> for Extensions {
 
 /// A context that compiles a shader.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct Context {
+pub struct GlContext {
     /// Its version.
     pub webgl: WebGl,
     /// Whether the program around the shader, its host or the configuration shows the version.
@@ -199,9 +201,9 @@ pub struct Context {
     pub presumed: Extensions,
 }
 
-impl Context {
+impl GlContext {
     /// WebGL2 without extensions.
-    pub const WEBGL2: Context = Context {
+    pub const WEBGL2: GlContext = GlContext {
         webgl: WebGl::Two,
         is_known: false,
         enabled: Extensions::NONE,
@@ -209,7 +211,7 @@ impl Context {
     };
 
     /// Whether a shader in a version of the language can use an extension here.
-    pub fn has(&self, extension: Extension, version: Version) -> bool {
+    pub fn has(&self, extension: GlExtension, version: Version) -> bool {
         let facts = extension.facts();
         facts.extends(version) && facts.exists_in(self.webgl) && self.enabled.contains(extension)
     }
@@ -223,12 +225,44 @@ impl Context {
     }
 }
 
+/// Extensions that every context has, by version of the language, measured in Chromium.
+pub(crate) const KNOWN_EXTENSIONS: [&str; 2] = [
+    "GL_OES_EGL_image_external",
+    "GL_OES_EGL_image_external_essl3",
+];
+
+/// What an `#extension` directive may ask for.
+pub const EXTENSION_BEHAVIORS: [&str; 4] = ["enable", "require", "warn", "disable"];
+
+/// The extensions that a shader of a version can enable.
+pub fn extensions(version: Version) -> impl Iterator<Item = &'static str> {
+    let [both, only_300] = KNOWN_EXTENSIONS;
+    let own = match version {
+        Version::Es100 => both,
+        Version::Es300 => only_300,
+    };
+    let fitting = EXTENSIONS
+        .iter()
+        .filter(move |facts| facts.extends(version));
+    fitting
+        .flat_map(|facts| facts.directives.iter().copied())
+        .chain([own])
+}
+
+impl GlContext {
+    /// Those of its extensions that a shader in this version can use.
+    pub(crate) fn usable(self, version: Version) -> impl Iterator<Item = &'static ExtensionFacts> {
+        let all = EXTENSIONS.iter();
+        all.filter(move |facts| self.has(facts.extension, version))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn rows_stand_in_the_order_of_the_extensions() {
+    fn rows_are_in_the_order_of_the_extensions() {
         for facts in &EXTENSIONS {
             assert_eq!(facts.extension.facts().name, facts.name);
         }

@@ -23,7 +23,10 @@ pub use conditional::{
     BranchId, ConditionalDirective, ConditionalGroup, ConditionalGroups, GroupBranch,
     GroupDirective, MacroTest, MacroTestKind,
 };
-pub use context::{Context, EXTENSIONS, Extension, ExtensionFacts, Extensions, WebGl};
+pub use context::{
+    EXTENSION_BEHAVIORS, EXTENSIONS, ExtensionFacts, Extensions, GlContext, GlExtension, WebGl,
+    extensions,
+};
 pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use language::{ES_100, ES_300, Feature, LanguageProfile};
 pub use lexer::{Lexer, tokenize, unsplice};
@@ -33,8 +36,8 @@ pub use parser::{
     Choice, Correction, Parse, ParseOptions, has_same_letters, keyword_near, parse, parse_corrected,
 };
 pub use preprocessor::{
-    DIRECTIVES, EXTENSION_BEHAVIORS, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed,
-    Tokens, extensions, macro_uses, preprocess,
+    DIRECTIVES, Expansion, ExtensionUse, Macro, MacroId, Piece, Preprocessed, Tokens, macro_uses,
+    preprocess,
 };
 pub use reduce::{Reduced, reduce};
 pub use search::Search;

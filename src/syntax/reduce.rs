@@ -218,7 +218,7 @@ impl TextStructure<'_> {
         let mut files = Vec::new();
         files.extend(sources.add("", None, Role::Prelude, header));
         files.extend(sources.add("", None, Role::User, text));
-        let mut read = preprocess(&sources, &files, true, crate::Context::WEBGL2);
+        let mut read = preprocess(&sources, &files, true, crate::GlContext::WEBGL2);
         let language = ParseOptions {
             version: read.version,
             is_fragment: true,

@@ -9,11 +9,19 @@ const folder = path.join(top, 'corpus/verdicts');
 /** The head of a case: the browser's verdict, the rule of shaderlint for it, version and stage, and a title. */
 const HEAD = /^\/\/: (\?|accepted|refused \d+)(?: ([a-z][a-z0-9-]*))?(?:, ([a-z0-9 ]+))?(?:: (.+))?$/;
 
-/** The code around a case: as little as it needs to compile. */
-function wrap(code, isNew, isFragment) {
-  if (/^\s*#\s*version/m.test(code)) return { before: '', after: '' };
-  const before = [isNew ? '#version 300 es\n' : '#version 100\n', isFragment ? 'precision highp float;\n' : ''].join('');
-  return { before, after: /\bmain\b/.test(code) ? '' : 'void main() {}\n' };
+/** A case as a complete shader, with as little as it needs to compile: its first lines and how many were added up to them and after them. */
+function wrap(code, isNew, isFragment, hasContext) {
+  if (/^\s*#\s*version/m.test(code)) return { source: code, first: 0, added: [0, 0] };
+  // Directives for a context stand before all code.
+  const directives = hasContext ? code.match(/^(?:#.*\n)*/)[0] : '';
+  const precision = isFragment ? 'precision highp float;\n' : '';
+  const version = isNew ? '#version 300 es\n' : '#version 100\n';
+  const after = /\bmain\b/.test(code) ? '' : 'void main() {}\n';
+  return {
+    source: version + directives + precision + code.slice(directives.length) + after,
+    first: directives.split('\n').length,
+    added: [1, isFragment ? 2 : 1],
+  };
 }
 
 function read(file, head, at, code) {
@@ -22,12 +30,13 @@ function read(file, head, at, code) {
   const [, verdict, rule, where, title] = found;
   const isNew = !/\b100\b/.test(where ?? '');
   const isFragment = !/\bvertex\b/.test(where ?? '');
-  const { before, after } = wrap(code, isNew, isFragment);
+  const hasContext = /\bwebgl[12]\b/.test(where ?? '');
   return {
     id: `${file}:${at + 1}`, at, verdict, rule, where, title, ok: verdict === 'accepted',
     stage: isFragment ? 'fragment' : 'vertex',
-    source: before + code + after,
-    linesBefore: before.split('\n').length - 1,
+    api: /\bwebgl1\b/.test(where ?? '') ? 'webgl' : 'webgl2',
+    isExtended: /\bextended\b/.test(where ?? ''),
+    ...wrap(code, isNew, isFragment, hasContext),
   };
 }
 
@@ -44,7 +53,8 @@ export function files() {
 
 /** The head with the browser's current verdict: for a rejection, with the line in the case. */
 export function head(one, { ok, line }) {
-  const verdict = ok ? 'accepted' : `refused ${Math.max(0, line - one.linesBefore)}`;
+  const added = one.added[line > one.first ? 1 : 0];
+  const verdict = ok ? 'accepted' : `refused ${Math.max(0, line - added)}`;
   const rule = !ok && one.rule ? ` ${one.rule}` : '';
   return `//: ${verdict}${rule}${one.where ? `, ${one.where}` : ''}${one.title ? `: ${one.title}` : ''}`;
 }

@@ -13,12 +13,24 @@ import { files, head } from './recorded.js';
 /** Number of shaders that one page compiles. */
 const BATCH = 200;
 
-/** Compiles shaders until the compiler crashes; returns whether each is accepted, and the line of the first error. */
+/**
+ * Compiles shaders, each in the context that it names, with all extensions or none, until the compiler crashes;
+ * returns whether each is accepted, and the line of the first error.
+ */
 function compile(page, shaders) {
   return page.evaluate((all) => {
-    const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
+    const contexts = new Map();
+    const context = (api, isExtended) => {
+      const gl = new OffscreenCanvas(1, 1).getContext(api);
+      const names = isExtended ? gl.getSupportedExtensions() : [];
+      for (const name of names.filter((each) => each !== 'WEBGL_lose_context')) gl.getExtension(name);
+      return gl;
+    };
     const said = [];
-    for (const { stage, source } of all) {
+    for (const { stage, source, api = 'webgl2', isExtended = false } of all) {
+      const key = `${api} ${isExtended}`;
+      if (!contexts.has(key)) contexts.set(key, context(api, isExtended));
+      const gl = contexts.get(key);
       const shader = gl.createShader(stage === 'vertex' ? gl.VERTEX_SHADER : gl.FRAGMENT_SHADER);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);

@@ -84,7 +84,8 @@ const NAME_HOSTS: &[&str] = &[
     "src/project/dialect/",
     // The name of a canvas context is also the name of a host.
     "src/detect/embed/context.rs",
-    "src/detect/embed/embedder.rs",
+    "src/detect/embed/webgl.rs",
+    "src/engine/options.rs",
     "src/detect/embed/markdown.rs",
     "src/detect/kind/mod.rs",
 ];

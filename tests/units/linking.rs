@@ -21,6 +21,7 @@ fn check(vertex: &str, fragment: &str, expected: &str) {
             files,
             stage,
             dialect: Dialect::WebGl,
+            context: shaderlint::syntax::GlContext::WEBGL2,
             infer_channels: false,
             completeness: Completeness::Complete,
         });

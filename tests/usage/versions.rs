@@ -94,7 +94,7 @@ fn both_stages_of_a_page_are_converted() {
         "",
     );
     let old = page(VERTEX, FRAGMENT, "webgl");
-    check(&old, &old, "the page requests a WebGL1 context");
+    check(&old, &old, "a WebGL1 context compiles it");
 }
 
 /// A string in one line takes no `#version`, so that the other stage keeps its version too.

@@ -31,6 +31,11 @@ impl Embedded {
         self.start + self.code.len()
     }
 
+    /// Whether a byte of its file belongs to it or to what is inserted into it.
+    pub fn holds(&self, at: usize) -> bool {
+        (self.start..self.end()).contains(&at) || hold(&self.inserted, at)
+    }
+
     /// Whether an edit, relative to the start of `outer`, keeps the outer language intact: the
     /// replaced text is literal GLSL, and the replacement means the same there.
     pub fn admits(&self, outer: &str, edit: &Edit) -> bool {
@@ -237,6 +242,15 @@ fn shift(inserted: &mut [InsertedPart], base: usize) {
         part.start = part.start.map(|start| start + base);
         shift(&mut part.inserted, base);
     }
+}
+
+/// Whether a byte of the file belongs to one of the texts.
+fn hold(inserted: &[InsertedPart], at: usize) -> bool {
+    let own = inserted.iter().filter(|part| part.module.is_none());
+    own.clone().any(|part| {
+        let is_in = |start| (start..start + part.code.len()).contains(&at);
+        part.start.is_some_and(is_in) || hold(&part.inserted, at)
+    })
 }
 
 /// Code with what is inserted into it.

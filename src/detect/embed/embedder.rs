@@ -3,8 +3,6 @@
 /// What a file does with its shaders.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Embedder {
-    /// It requests WebGL1, and never WebGL2.
-    pub is_webgl1: bool,
     /// It compiles shaders itself, without a library.
     pub hands_over: bool,
     /// What it does with leading white space of shaders.
@@ -14,15 +12,7 @@ pub struct Embedder {
 impl Embedder {
     /// Analyses a page or script.
     pub fn of(text: &str) -> Embedder {
-        let asks_for_webgl1 = || {
-            text.match_indices("getContext(").any(|(at, call)| {
-                let rest = text.get(at + call.len()..).unwrap_or("").trim_start();
-                let word = rest.get(1..).unwrap_or("");
-                word.starts_with("webgl") || word.starts_with("experimental-webgl")
-            })
-        };
         Embedder {
-            is_webgl1: !text.contains("webgl2") && asks_for_webgl1(),
             hands_over: text.contains(HANDS_OVER),
             leading_blanks: LeadingBlanks::of(text),
         }

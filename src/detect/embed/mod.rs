@@ -94,11 +94,4 @@ mod tests {
         assert!(!shader.admits(text, &edit(at("\\n"), at("\\n") + 2, "")));
         assert!(!shader.admits(text, &edit(0, 1, "y")));
     }
-
-    #[test]
-    fn requested_contexts_show_the_webgl_version() {
-        assert!(Embedder::of("c.getContext('webgl')").is_webgl1);
-        assert!(!Embedder::of("c.getContext('webgl2') || c.getContext('webgl')").is_webgl1);
-        assert!(!Embedder::of("c.getContext('2d')").is_webgl1);
-    }
 }

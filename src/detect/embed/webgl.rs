@@ -14,7 +14,9 @@ pub struct AskedWebGl {
     pub two: bool,
     /// Its constant strings, as far as they may name an extension.
     pub words: Vec<String>,
-    /// Whether it compiles shaders, and all code that its context goes through is in it.
+    /// Whether it asks for a context and compiles shaders itself.
+    pub compiles: bool,
+    /// Whether all code that its context goes through is in it, too.
     pub is_all: bool,
 }
 
@@ -36,7 +38,8 @@ impl AskedWebGl {
             calls.read(script, &tree, &mut found);
         }
         let is_external = language != DocumentLanguage::Script && text.contains(" src=");
-        found.is_all = calls.compiles && calls.asks && !calls.is_open && !is_external;
+        found.compiles = calls.compiles && calls.asks;
+        found.is_all = found.compiles && !calls.is_open && !is_external;
         let knows = calls.asks;
         (found.one, found.two) = (found.one && knows, found.two && knows);
         found
@@ -47,6 +50,7 @@ impl AskedWebGl {
         self.one |= other.one;
         self.two |= other.two;
         self.words.extend(other.words);
+        self.compiles &= other.compiles;
         self.is_all &= other.is_all;
     }
 }

@@ -92,7 +92,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
 }
 
 /// Leaves open what a script defines as a macro of a complete shader, which its host inserts after
-/// `#version`.
+/// `#version`, and lowers errors about functions of files that a script may put before it.
 fn leave_macros(checked: &mut Checked, hosts: &Hosts) {
     let sources = &checked.program.sources;
     let is_macro =
@@ -100,6 +100,20 @@ fn leave_macros(checked: &mut Checked, hosts: &Hosts) {
     let all = std::mem::take(&mut checked.diagnostics);
     let (macros, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_macro);
     checked.diagnostics = others;
+    let is_call = |d: &Diagnostic| sources.text(Span::new(d.span.end, d.span.end + 1)) == "(";
+    let missing = checked.diagnostics.iter_mut();
+    // A typo is none.
+    let is_missing =
+        |d: &&mut Diagnostic| d.lacks() == Some(Lack::Name) && d.fix.is_none() && is_call(d);
+    for d in missing.filter(is_missing) {
+        if hosts.may_be_joined(sources.text(d.span)) {
+            d.severity = Severity::Warning;
+            d.notes.push(
+                "a file without `main` declares it: right if a script puts both together"
+                    .to_string(),
+            );
+        }
+    }
     if !macros.is_empty() {
         let names = macros.iter().map(|d| sources.text(d.span).to_string());
         checked.open.names.extend(names);

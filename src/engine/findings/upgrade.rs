@@ -6,7 +6,7 @@ use shaderlint_explain::{Checked, ObstacleKind, UpgradeObstacle, upgrade};
 use shaderlint_lint::Settings;
 use shaderlint_rules::rule;
 use shaderlint_semantic::{Completeness, Dialect, Program, Stage};
-use shaderlint_syntax::Version;
+use shaderlint_syntax::{Version, WebGl};
 use shaderlint_text::{Role, Span};
 
 const NAME: &str = "old-version";
@@ -29,8 +29,9 @@ pub fn report(part: &ShaderInput, checked: &Checked, settings: &Settings) -> Opt
     let found = Diagnostic::new(NAME, Origin::Rule, severity, span, message).note(format!(
         "its {other} shader must have the same version (section 3.3)"
     ));
-    if part.embedder.is_webgl1 {
-        let found = refuse(found, "the page requests a WebGL1 context");
+    let context = program.context;
+    if context.webgl == WebGl::One {
+        let found = refuse(found, "a WebGL1 context compiles it");
         return Some(found.help("use `getContext(\"webgl2\")`"));
     }
     if !takes_lines(program, span) {

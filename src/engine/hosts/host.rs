@@ -128,8 +128,8 @@ impl<'a> Hosts<'a> {
 
     /// What the scripts around the texts ask WebGL for. Those that import the file are read only if that is
     /// wanted.
-    pub fn asked_webgl(&self, wants_importers: impl Fn() -> bool) -> Option<&AskedWebGl> {
-        if self.script.is_none() && !(wants_importers() && self.is_imported()) {
+    pub fn asked_webgl(&self, reads_importers: impl Fn() -> bool) -> Option<&AskedWebGl> {
+        if self.script.is_none() && !(reads_importers() && self.is_imported()) {
             return None;
         }
         Some(self.asked_webgl.get_or_init(|| {
@@ -257,6 +257,13 @@ impl<'a> Hosts<'a> {
         let file = self.file();
         let cache = &self.context.options.file_cache;
         cache.may_be_declared(word, &file, files)
+    }
+
+    /// Whether a part of a shader in another file declares a name, and a script loads the text, so that it
+    /// may put both together.
+    pub fn may_be_joined(&self, word: &str) -> bool {
+        let cache = &self.context.options.file_cache;
+        self.is_imported() && cache.may_be_declared(word, &self.file(), self.context.files)
     }
 
     /// Whether a script around a text that uses a word `count` times contains it too.

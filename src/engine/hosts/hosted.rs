@@ -17,7 +17,7 @@ use shaderlint_project::{
 };
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{Dialect, Stage, guess};
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::ops::Range;
 use std::path::Path;
@@ -239,7 +239,7 @@ fn reading(sources: &mut Sources, pieces: &[FileId], found: &Hosted) -> Option<R
         files,
         stage: completion.stage,
         dialect: Dialect::WebGl,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
     })
 }
 

@@ -5,13 +5,15 @@ use super::host::Hosts;
 use crate::options::{DialectChoice, Options};
 use crate::shader::reading::{Readings, code_of};
 use shaderlint_host::Preset;
-use shaderlint_syntax::{Context, EXTENSIONS, Extension, Extensions, WebGl};
+use shaderlint_syntax::{EXTENSIONS, Extensions, GlContext, GlExtension, WebGl};
 use shaderlint_text::Sources;
 
 /// What is known about a context apart from the shader.
 #[derive(Clone, Copy, Default)]
 struct KnownContext {
     webgl: Option<WebGl>,
+    /// Whether the version is certain.
+    is_sure: bool,
     /// The extensions that are enabled.
     enabled: Extensions,
     /// Whether no others are.
@@ -25,9 +27,9 @@ pub fn context(
     hosts: &Hosts,
     options: &Options,
     presets: &[&Preset],
-) -> Context {
+) -> GlContext {
     if readings.is_shadertoy() {
-        return Context::WEBGL2;
+        return GlContext::WEBGL2;
     }
     let files = readings.all.first().map_or(&[][..], |r| &r.files);
     let code = code_of(sources, files);
@@ -53,9 +55,9 @@ pub fn context(
         true => Extensions::NONE,
         false => asked.without(known.enabled),
     };
-    Context {
+    GlContext {
         webgl: known.webgl.unwrap_or(presumed),
-        is_known: known.webgl.is_some(),
+        is_known: known.is_sure,
         enabled: known.enabled.and(unsure),
         presumed: unsure,
     }
@@ -70,6 +72,10 @@ impl KnownContext {
         };
         KnownContext {
             webgl: self.webgl.or(other.webgl),
+            is_sure: match self.webgl {
+                Some(_) => self.is_sure,
+                None => other.is_sure,
+            },
             enabled,
             is_all,
         }
@@ -78,8 +84,10 @@ impl KnownContext {
 
 fn of_options(options: &Options) -> KnownContext {
     let of_dialect = (options.dialect == DialectChoice::Webgl1).then_some(WebGl::One);
+    let webgl = options.webgl.or(of_dialect);
     KnownContext {
-        webgl: options.webgl.or(of_dialect),
+        webgl,
+        is_sure: webgl.is_some(),
         enabled: options.extensions.unwrap_or_default(),
         is_all: options.extensions.is_some(),
     }
@@ -100,9 +108,10 @@ fn of_presets(presets: &[&Preset]) -> KnownContext {
             "webgl1" => WebGl::One,
             _ => WebGl::Two,
         }),
+        is_sure: true,
         enabled: enabled
             .iter()
-            .filter_map(|name| Extension::named(name))
+            .filter_map(|name| GlExtension::named(name))
             .collect(),
         is_all: !enabled.is_empty(),
     }
@@ -114,13 +123,17 @@ fn of_scripts(hosts: &Hosts, is_concerned: impl Fn() -> bool) -> KnownContext {
     let Some(asked) = hosts.asked_webgl(is_concerned) else {
         return KnownContext::default();
     };
-    let named = asked.words.iter().filter_map(|word| Extension::named(word));
+    let named = asked
+        .words
+        .iter()
+        .filter_map(|word| GlExtension::named(word));
     KnownContext {
         webgl: match (asked.one, asked.two) {
             (true, false) => Some(WebGl::One),
             (false, true) => Some(WebGl::Two),
             _ => None,
         },
+        is_sure: asked.compiles,
         enabled: named.collect(),
         is_all: asked.is_all,
     }

@@ -14,7 +14,7 @@ use shaderlint_semantic::{
     CHUNK_OUTPUT, Completeness, Dialect, Guess, GuessedKind, Pass, Stage, Unit, chunk_declarations,
     first_of_300, guess, needs_300,
 };
-use shaderlint_syntax::{Context, ES_300, Feature, Search, Version};
+use shaderlint_syntax::{ES_300, Feature, GlContext, Search, Version};
 use shaderlint_text::{FileId, Role, Sources};
 use std::cell::{LazyCell, OnceCell};
 use std::collections::BTreeSet;
@@ -31,7 +31,7 @@ pub struct Reading {
     /// ShaderToy pass or WebGL shader.
     pub dialect: Dialect,
     /// The context that compiles it.
-    pub context: Context,
+    pub context: GlContext,
 }
 
 /// How complete a text is, before it is checked.
@@ -376,7 +376,7 @@ impl Readings {
                 files,
                 stage,
                 dialect: Dialect::WebGl,
-                context: Context::WEBGL2,
+                context: GlContext::WEBGL2,
             });
         }
         Some(text.has_chunks && !text.is_open)
@@ -432,7 +432,7 @@ impl Readings {
             files: with_host(sources, header, self.text.files.clone(), options)?,
             stage: stage.unwrap_or(Stage::Fragment),
             dialect,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
         })
     }
 
@@ -466,7 +466,7 @@ impl Readings {
     }
 
     /// Sets the context that compiles the text.
-    pub fn set_context(&mut self, context: Context) {
+    pub fn set_context(&mut self, context: GlContext) {
         for reading in &mut self.all {
             reading.context = context;
         }

@@ -8,7 +8,7 @@ use shaderlint_lint::SkippedRules;
 use shaderlint_project::MissingInclude;
 use shaderlint_project::PassUnit;
 use shaderlint_semantic::{Completeness, Dialect, Stage};
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_syntax::Version;
 use shaderlint_text::FileId;
 use std::collections::BTreeSet;
@@ -57,7 +57,7 @@ impl ShaderInput {
                 Some(_) => Dialect::WebGl,
                 None => Dialect::ShaderToy(unit.kind),
             },
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
         };
         ShaderInput {
             host,

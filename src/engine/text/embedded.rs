@@ -9,8 +9,10 @@ use crate::options::Options;
 use crate::shader::input::SplitInput;
 use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
-use shaderlint_detect::embed::{DocumentLanguage, Embedded, Embedder, LeadingBlanks, Wrapping};
-use shaderlint_detect::kind::{Evidence, ShaderLanguage, own_directive};
+use shaderlint_detect::embed::{
+    DocumentLanguage, Embedded, Embedder, LeadingBlanks, Wrapping, joined,
+};
+use shaderlint_detect::kind::{Evidence, ShaderLanguage, has_main, own_directive};
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
 use shaderlint_host::shadertoy;
 use shaderlint_semantic::snippet::{SnippetItem, items};
@@ -40,7 +42,8 @@ pub fn parts(
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     // A script that contains `#version` may write it before any of its shaders.
-    let is_compiled = embedder.hands_over && !text.contains("#version");
+    let is_compiled =
+        embedder.hands_over && !text.contains("#version") && !writes_precision(text, &all);
     let is_document = matches!(
         language,
         DocumentLanguage::Markdown | DocumentLanguage::Html
@@ -301,4 +304,18 @@ pub fn note_fix(diagnostic: &mut Diagnostic) {
             fix.title
         });
     }
+}
+
+/// Whether a script has a default precision outside of its complete shaders, which it may write before them.
+fn writes_precision(text: &str, all: &[Embedded]) -> bool {
+    let is_complete = |shader: &&Embedded| has_main(&joined(&shader.code, &shader.inserted));
+    let complete: Vec<&Embedded> = all.iter().filter(is_complete).collect();
+    let is_own = |at: usize| complete.iter().any(|shader| shader.holds(at));
+    let mut statements = text.match_indices("precision ").filter(|(at, word)| {
+        let after = text.get(at + word.len()..).unwrap_or("");
+        ["highp ", "mediump ", "lowp "]
+            .iter()
+            .any(|p| after.starts_with(p))
+    });
+    statements.any(|(at, _)| !is_own(at))
 }

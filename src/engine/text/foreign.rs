@@ -8,7 +8,7 @@ use shaderlint_detect::kind::{Decision, Evidence, ShaderLanguage, reason};
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_explain::analyze;
 use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::{Edit, FileId, Role, Sources, Span, apply_edits};
 use std::sync::Arc;
 
@@ -151,7 +151,7 @@ fn errors_of(text: String, stage: Stage) -> Option<Vec<Diagnostic>> {
         files: &[file],
         stage,
         dialect: Dialect::WebGl,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     });

@@ -1,23 +1,14 @@
 //! Messages for functions and variables that extensions add.
 
 use super::*;
-use shaderlint_syntax::{Extension, ExtensionFacts, WebGl};
-
-/// Words that only GLSL ES 1.00 has.
-const OLD_WORDS: [&str; 6] = [
-    "varying",
-    "attribute",
-    "gl_FragColor",
-    "gl_FragData",
-    "texture2D",
-    "textureCube",
-];
+use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
+use shaderlint_syntax::{ExtensionFacts, GlExtension, WebGl};
 
 impl ExplainContext<'_> {
     /// A function or variable that an extension adds which is not turned on; `None` if there is none, or if
     /// only another version of the language helps.
     pub(crate) fn extension_needed(&self, name: &str, token: TokenId) -> Option<Diagnostic> {
-        let facts = Extension::that_adds(name, self.version)?.facts();
+        let facts = GlExtension::that_adds(name, self.version)?.facts();
         let context = self.context;
         if context.has(facts.extension, self.version) {
             let directive = self.directive_for(facts);
@@ -47,8 +38,12 @@ impl ExplainContext<'_> {
 
     /// What to do about something that only GLSL ES 3.00 has without an extension.
     pub(crate) fn help_for_version(&self, name: &str) -> String {
-        let facts = Extension::that_adds(name, self.version).map(Extension::facts);
-        let is_old = || OLD_WORDS.iter().any(|word| self.names.get(word).is_some());
+        let facts = GlExtension::that_adds(name, self.version).map(GlExtension::facts);
+        let lookups = LEGACY_FUNCTIONS.iter().map(|(old, _)| *old);
+        let mut old = ["varying", "attribute", "gl_FragColor", "gl_FragData"]
+            .into_iter()
+            .chain(lookups);
+        let mut is_old = || old.any(|word| self.names.get(word).is_some());
         match facts.filter(|facts| facts.exists_in(WebGl::One) && is_old()) {
             Some(_) if self.context.is_known => {
                 "GLSL ES 1.00 in a WebGL2 context has no extensions: convert the shader to `#version 300 es`, which `shaderport` does".to_string()

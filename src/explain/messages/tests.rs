@@ -3,7 +3,7 @@
 use super::explain;
 use crate::analyze_fragment;
 use shaderlint_semantic::{Completeness, Dialect, Pass, Stage, Unit, check_shader};
-use shaderlint_syntax::{Context, Search};
+use shaderlint_syntax::{GlContext, Search};
 use shaderlint_text::{Role, Sources, apply_edits};
 use std::sync::Arc;
 
@@ -120,7 +120,7 @@ fn finds(code: &str, expected: &str) -> bool {
         files: &files,
         stage,
         dialect,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     };

@@ -15,7 +15,7 @@ pub use obstacle::{ObstacleKind, UpgradeObstacle};
 use scan::RawScan;
 use shaderlint_diagnostic::Severity;
 use shaderlint_semantic::{Completeness, Dialect, Program, Unit};
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::{CompiledText, Edit, Role, Sources, Span, apply_edits};
 use std::sync::Arc;
 use words::WordMap;
@@ -79,7 +79,7 @@ fn check(program: &Program, code: &CompiledText, edits: &[Edit]) -> Result<(), U
         files: &[file],
         stage: program.stage,
         dialect: Dialect::WebGl,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     });

@@ -3,7 +3,7 @@
 use super::*;
 use crate::Checked;
 use shaderlint_semantic::Stage;
-use shaderlint_syntax::Context;
+use shaderlint_syntax::GlContext;
 use shaderlint_text::FileId;
 
 fn checked(stage: Stage, text: &str) -> Checked {
@@ -15,7 +15,7 @@ fn checked(stage: Stage, text: &str) -> Checked {
         files,
         stage,
         dialect: Dialect::WebGl,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     })

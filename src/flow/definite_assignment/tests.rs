@@ -8,7 +8,7 @@ use crate::test_shader::cases;
 use shaderlint_ir::lower;
 use shaderlint_semantic::problem::{CallError, ProblemKind};
 use shaderlint_semantic::{Completeness, Dialect, Mentions, Pass, Stage, Unit, check_shader};
-use shaderlint_syntax::{Context, Search};
+use shaderlint_syntax::{GlContext, Search};
 use shaderlint_text::{Role, Sources};
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ fn check(code: &str, expected: &str) {
         files: &[head, user],
         stage: Stage::Fragment,
         dialect: Dialect::ShaderToy(Pass::Image),
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: true,
         completeness: Completeness::Chunk,
     };

@@ -75,7 +75,7 @@ mod tests {
         for version in [Version::Es100, Version::Es300] {
             for stage in [Stage::Vertex, Stage::Fragment] {
                 let all = Builtins::of(version, stage);
-                for overload in all.overloads {
+                for overload in all.overloads() {
                     let name = overload.function.name();
                     let entry = entry(name).unwrap_or_else(|| panic!("{name}"));
                     let heads = entry.heads.iter();

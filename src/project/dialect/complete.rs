@@ -7,7 +7,7 @@ use shaderlint_explain::{Checked, analyze};
 use shaderlint_host::{Preset, declared_in, matches_any};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
 use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint_syntax::{Context, Lexer, RawKind, Version};
+use shaderlint_syntax::{GlContext, Lexer, RawKind, Version};
 use shaderlint_text::{Role, Sources};
 use std::ops::Range;
 use std::sync::Arc;
@@ -134,7 +134,7 @@ impl Completion {
             files: &files,
             stage: self.stage,
             dialect: Dialect::WebGl,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
             infer_channels: false,
             completeness: Completeness::Complete,
         }))

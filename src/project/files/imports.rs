@@ -5,7 +5,6 @@ use super::repository::visit;
 use super::words::is_glsl;
 use rustc_hash::FxHashMap;
 use shaderlint_detect::embed::DocumentLanguage;
-use shaderlint_detect::kind::file_extension;
 use shaderlint_text::path::tidy;
 use std::path::{Path, PathBuf};
 
@@ -40,14 +39,38 @@ pub fn meant(path: &str, script: &Path, top: &Path) -> Vec<PathBuf> {
         return vec![tidy(&folder.join(path))];
     }
     let rest = path.trim_start_matches(['@', '~']).trim_start_matches('/');
-    vec![tidy(&top.join(rest)), tidy(&top.join("src").join(rest))]
+    let mut all = vec![tidy(&top.join(rest)), tidy(&top.join("src").join(rest))];
+    // What a page loads is relative to the page.
+    let beside = tidy(&folder.join(path));
+    if !all.contains(&beside) {
+        all.push(beside);
+    }
+    all
 }
 
-/// The shader files that a script may import.
+/// The shader files that a script or page may import or load.
 pub fn imported_shaders(text: &str, script: &Path, top: &Path) -> Vec<PathBuf> {
-    let is_shader = |path: &&str| is_glsl(&file_extension(path.split('?').next().unwrap_or("")));
-    let all = imports(text).into_iter().filter(is_shader);
+    let all = shader_paths(text).into_iter();
     all.flat_map(|path| meant(path, script, top)).collect()
+}
+
+/// The strings of a script that are paths of shader files, without a query.
+fn shader_paths(text: &str) -> Vec<&str> {
+    let ends = text.match_indices('.').filter_map(|(dot, _)| {
+        let after = text.get(dot + 1..)?;
+        let length = after.find(|c: char| !c.is_ascii_alphanumeric());
+        let (extension, rest) = after.split_at_checked(length.unwrap_or(after.len()))?;
+        let is_end = rest.starts_with(['"', '\'', '`', '?']);
+        (is_end && is_glsl(extension)).then_some(dot + 1 + extension.len())
+    });
+    let path = |end: usize| {
+        let from = text.floor_char_boundary(end.saturating_sub(MAX_PATH));
+        let before = text.get(from..end)?;
+        let start = before.rfind(['"', '\'', '`', '\n', ' ', '\\'])? + 1;
+        let is_quoted = before.get(..start)?.ends_with(['"', '\'', '`']);
+        before.get(start..).filter(|_| is_quoted)
+    };
+    ends.filter_map(path).collect()
 }
 
 /// By shader file: the scripts of a repository that import it.
@@ -62,16 +85,19 @@ impl ShaderImports {
             let language = DocumentLanguage::of_extension(extension);
             matches!(
                 language,
-                Some(DocumentLanguage::Script | DocumentLanguage::Component)
+                Some(
+                    DocumentLanguage::Script | DocumentLanguage::Component | DocumentLanguage::Html
+                )
             )
         };
         visit(root, files, is_script, &mut |path| {
             let Ok(text) = files.load(&path) else {
                 return 0;
             };
-            if names_shader(&text) {
-                for shader in imported_shaders(&text, &path, root) {
-                    found.0.entry(shader).or_default().push(path.clone());
+            for shader in imported_shaders(&text, &path, root) {
+                let all = found.0.entry(shader).or_default();
+                if all.last() != Some(&path) {
+                    all.push(path.clone());
                 }
             }
             text.len()
@@ -83,12 +109,4 @@ impl ShaderImports {
     pub fn of(&self, file: &Path) -> &[PathBuf] {
         self.0.get(file).map_or(&[], Vec::as_slice)
     }
-}
-
-/// Whether a text contains a dot and the extension of a shader file.
-fn names_shader(text: &str) -> bool {
-    text.split('.').skip(1).any(|after| {
-        let end = after.find(|c: char| !c.is_ascii_alphanumeric());
-        after.get(..end.unwrap_or(after.len())).is_some_and(is_glsl)
-    })
 }

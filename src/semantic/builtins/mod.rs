@@ -15,7 +15,7 @@ use super::fold::set_undefined_to_zero;
 use super::types::Type;
 use super::undefined::Undefined;
 use prototype::Declared;
-use shaderlint_syntax::{Context, Extension, Extensions, Version, WebGl};
+use shaderlint_syntax::{Extensions, GlContext, GlExtension, Version, WebGl};
 use std::ops::Range;
 
 /// The stage of a shader.
@@ -82,6 +82,15 @@ impl BuiltinId {
         }
     }
 
+    /// Whether it interpolates an input of the fragment shader again.
+    pub const fn interpolates(self) -> bool {
+        use BuiltinId::*;
+        matches!(
+            self,
+            InterpolateAtCentroid | InterpolateAtSample | InterpolateAtOffset
+        )
+    }
+
     /// Whether GLSL ES 3.00 shaders may redefine it anyway: extensions known to the browser's
     /// compiler have overloads of it, and the compiler reserves the name only for those. Measured
     /// in Chromium for all built-in names.
@@ -120,7 +129,7 @@ struct BuiltinList {
 pub struct Builtins {
     all: &'static BuiltinList,
     version: Version,
-    context: Context,
+    context: GlContext,
     /// The extensions that the shader turns on.
     active: Extensions,
 }
@@ -138,29 +147,29 @@ macro_rules! builtins {
 
 /// Common declarations are parsed once to save compile time.
 const OF_300: Declared = Declared::NOTHING
-    .and(include_str!("functions_300.glsl"))
-    .and(include_str!("variables_300.glsl"))
-    .and(include_str!("extensions_300.glsl"));
+    .and(include_str!("declared/functions_300.glsl"))
+    .and(include_str!("declared/variables_300.glsl"))
+    .and(include_str!("declared/extensions_300.glsl"));
 const OF_300_FRAGMENT: Declared = OF_300
-    .and(include_str!("functions_300_fragment.glsl"))
-    .and(include_str!("variables_300_fragment.glsl"))
-    .and(include_str!("extensions_300_fragment.glsl"));
+    .and(include_str!("declared/functions_300_fragment.glsl"))
+    .and(include_str!("declared/variables_300_fragment.glsl"))
+    .and(include_str!("declared/extensions_300_fragment.glsl"));
 const OF_300_VERTEX: Declared = OF_300
-    .and(include_str!("variables_300_vertex.glsl"))
-    .and(include_str!("extensions_300_vertex.glsl"))
-    .and(include_str!("extensions_vertex.glsl"));
+    .and(include_str!("declared/variables_300_vertex.glsl"))
+    .and(include_str!("declared/extensions_300_vertex.glsl"))
+    .and(include_str!("declared/extensions_vertex.glsl"));
 const OF_100: Declared = Declared::NOTHING
-    .and(include_str!("functions_100.glsl"))
-    .and(include_str!("variables_100.glsl"))
-    .and(include_str!("extensions_100.glsl"));
+    .and(include_str!("declared/functions_100.glsl"))
+    .and(include_str!("declared/variables_100.glsl"))
+    .and(include_str!("declared/extensions_100.glsl"));
 const OF_100_FRAGMENT: Declared = OF_100
-    .and(include_str!("functions_100_fragment.glsl"))
-    .and(include_str!("variables_100_fragment.glsl"))
-    .and(include_str!("extensions_100_fragment.glsl"));
+    .and(include_str!("declared/functions_100_fragment.glsl"))
+    .and(include_str!("declared/variables_100_fragment.glsl"))
+    .and(include_str!("declared/extensions_100_fragment.glsl"));
 const OF_100_VERTEX: Declared = OF_100
-    .and(include_str!("functions_100_vertex.glsl"))
-    .and(include_str!("variables_100_vertex.glsl"))
-    .and(include_str!("extensions_vertex.glsl"));
+    .and(include_str!("declared/functions_100_vertex.glsl"))
+    .and(include_str!("declared/variables_100_vertex.glsl"))
+    .and(include_str!("declared/extensions_vertex.glsl"));
 
 static ES_300_FRAGMENT: BuiltinList = builtins!(OF_300_FRAGMENT);
 static ES_300_VERTEX: BuiltinList = builtins!(OF_300_VERTEX);
@@ -178,13 +187,13 @@ impl Builtins {
                 (Version::Es100, Stage::Vertex) => &ES_100_VERTEX,
             },
             version,
-            context: Context::WEBGL2,
+            context: GlContext::WEBGL2,
             active: Extensions::NONE,
         }
     }
 
     /// Those in a context, for a shader that turns on some of its extensions.
-    pub fn in_context(self, context: Context, active: Extensions) -> Builtins {
+    pub fn in_context(self, context: GlContext, active: Extensions) -> Builtins {
         Builtins {
             context,
             active,
@@ -194,7 +203,7 @@ impl Builtins {
 
     /// Whether the shader can use a function or variable of the list.
     fn has(&self, name: &str) -> bool {
-        let owner = Extension::that_adds(name, self.version);
+        let owner = GlExtension::that_adds(name, self.version);
         owner.is_none_or(|extension| self.active.contains(extension))
     }
 
@@ -207,7 +216,7 @@ impl Builtins {
     /// The function of this name that a shader must not define for itself. In GLSL ES 1.00 it need not
     /// turn on the extension.
     pub fn protected_function(&self, name: &str) -> Option<BuiltinId> {
-        let owner = Extension::that_adds(name, self.version);
+        let owner = GlExtension::that_adds(name, self.version);
         let is_enabled = |extension| self.context.has(extension, self.version);
         let mut known = *self;
         if self.version == Version::Es100 {
@@ -230,8 +239,8 @@ impl Builtins {
         let found = variables.find(|(n, _)| *n == name && self.has(name));
         let mut variable = found.map(|(_, variable)| *variable)?;
         let (has, is_active) = (
-            self.context.has(Extension::DrawBuffers, self.version),
-            self.active.contains(Extension::DrawBuffers),
+            self.context.has(GlExtension::DrawBuffers, self.version),
+            self.active.contains(GlExtension::DrawBuffers),
         );
         match name {
             "gl_FragData" if is_active => {
@@ -351,28 +360,28 @@ mod tests {
     #[test]
     fn declarations_of_built_ins_are_valid() {
         for text in [
-            include_str!("functions_100.glsl"),
-            include_str!("functions_100_fragment.glsl"),
-            include_str!("functions_100_vertex.glsl"),
-            include_str!("functions_300.glsl"),
-            include_str!("functions_300_fragment.glsl"),
-            include_str!("variables_100.glsl"),
-            include_str!("variables_100_fragment.glsl"),
-            include_str!("variables_100_vertex.glsl"),
-            include_str!("variables_300.glsl"),
-            include_str!("variables_300_fragment.glsl"),
-            include_str!("variables_300_vertex.glsl"),
-            include_str!("extensions_100.glsl"),
-            include_str!("extensions_100_fragment.glsl"),
-            include_str!("extensions_300.glsl"),
-            include_str!("extensions_300_fragment.glsl"),
-            include_str!("extensions_300_vertex.glsl"),
-            include_str!("extensions_vertex.glsl"),
+            include_str!("declared/functions_100.glsl"),
+            include_str!("declared/functions_100_fragment.glsl"),
+            include_str!("declared/functions_100_vertex.glsl"),
+            include_str!("declared/functions_300.glsl"),
+            include_str!("declared/functions_300_fragment.glsl"),
+            include_str!("declared/variables_100.glsl"),
+            include_str!("declared/variables_100_fragment.glsl"),
+            include_str!("declared/variables_100_vertex.glsl"),
+            include_str!("declared/variables_300.glsl"),
+            include_str!("declared/variables_300_fragment.glsl"),
+            include_str!("declared/variables_300_vertex.glsl"),
+            include_str!("declared/extensions_100.glsl"),
+            include_str!("declared/extensions_100_fragment.glsl"),
+            include_str!("declared/extensions_300.glsl"),
+            include_str!("declared/extensions_300_fragment.glsl"),
+            include_str!("declared/extensions_300_vertex.glsl"),
+            include_str!("declared/extensions_vertex.glsl"),
         ] {
             let mut sources = Sources::new();
             let files = ["#version 300 es\n", text]
                 .map(|text| sources.add("", None, Role::User, text).unwrap());
-            let mut read = preprocess(&sources, &files, true, Context::WEBGL2);
+            let mut read = preprocess(&sources, &files, true, GlContext::WEBGL2);
             let language = ParseOptions {
                 version: Version::Es300,
                 is_fragment: true,

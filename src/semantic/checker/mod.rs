@@ -55,7 +55,7 @@ pub use limits::LimitError;
 pub use names::{NameError, Owner};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Context, Feature, Name, Names, Search, TokenKind, Tokens, Version};
+use shaderlint_syntax::{Feature, GlContext, Name, Names, Search, TokenKind, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
 pub use statement::{Condition, StatementError};
 use std::ops::Deref;
@@ -79,7 +79,7 @@ pub struct ParsedShader {
     /// The GLSL ES version of the shader.
     pub version: Version,
     /// The context that compiles it.
-    pub context: Context,
+    pub context: GlContext,
     /// Whether the preprocessor or the parser reported errors.
     pub has_errors: bool,
     /// Number of errors after which checking stops.
@@ -216,6 +216,7 @@ fn look(
         private_size: 0,
         frag_color: None,
         frag_data: None,
+        views: None,
         unknown_functions: FxHashSet::default(),
         always_true: FxHashSet::default(),
         returned: Type::VOID,
@@ -294,6 +295,8 @@ struct Checker<'a> {
     private_size: u64,
     frag_color: Option<TokenId>,
     frag_data: Option<TokenId>,
+    /// The number of views that a layout gives.
+    views: Option<i32>,
     /// Functions that could not be declared; calls of them are not checked.
     unknown_functions: FxHashSet<Name>,
     /// Variables of type `bool` that are initialized with `true`.

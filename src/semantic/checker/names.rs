@@ -90,14 +90,18 @@ impl Checker<'_> {
         }
     }
 
-    /// Adds a built-in variable to the program.
-    fn declare_builtin(&mut self, name: Name, found: BuiltinVariable) -> VariableId {
-        let storage = match found.storage {
+    pub(super) fn storage_of_builtin(&self, found: BuiltinVariable) -> Storage {
+        match found.storage {
             BuiltinStorage::In => Storage::Input,
             BuiltinStorage::Out => Storage::Output,
             BuiltinStorage::Uniform => Storage::Uniform,
             BuiltinStorage::Const(_) => Storage::Global,
-        };
+        }
+    }
+
+    /// Adds a built-in variable to the program.
+    fn declare_builtin(&mut self, name: Name, found: BuiltinVariable) -> VariableId {
+        let storage = self.storage_of_builtin(found);
         let is_const = matches!(found.storage, BuiltinStorage::Const(_));
         let constant = self.pool.add(found.storage.value());
         let ty = found.ty.unwrap_or_else(|| self.depth_range());

@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::{Completeness, Pass, Unit, check_shader};
-use shaderlint_syntax::{Context, Search};
+use shaderlint_syntax::{GlContext, Search};
 
 /// The enums of problems, and the files that define them.
 const SOURCES: [(&str, &str); 19] = [
@@ -92,7 +92,7 @@ fn check(stage: &str, code: &str) -> Vec<String> {
         files: &files,
         stage,
         dialect,
-        context: Context::WEBGL2,
+        context: GlContext::WEBGL2,
         infer_channels: false,
         completeness: Completeness::Complete,
     };

@@ -15,7 +15,7 @@ use super::dialect::Dialect;
 use super::types::{Base, Struct, Type, type_name};
 use shaderlint_diagnostic::MacroUse;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Context, Name, Names, Token, Tokens, Version, macro_uses};
+use shaderlint_syntax::{GlContext, Name, Names, Token, Tokens, Version, macro_uses};
 use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
@@ -217,7 +217,7 @@ pub struct Program {
     /// The version of the language.
     pub version: Version,
     /// The context that compiles it.
-    pub context: Context,
+    pub context: GlContext,
     /// Vertex or fragment.
     pub stage: Stage,
     /// Host that runs it.

@@ -28,7 +28,7 @@ const MAX_ALTERNATIVES: usize = 16;
 /// Maximum cost difference to the best candidate for an alternative to be kept.
 const MARGIN: u32 = 3;
 
-/// Context of the code that cannot be parsed.
+/// GlContext of the code that cannot be parsed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum FaultScope {
     Global,
@@ -544,7 +544,7 @@ mod tests {
             .into_iter()
             .chain(sources.add("a.frag", None, Role::User, text))
             .collect();
-        let mut read = preprocess(&sources, &files, true, crate::Context::WEBGL2);
+        let mut read = preprocess(&sources, &files, true, crate::GlContext::WEBGL2);
         let language = ParseOptions {
             version: Version::Es300,
             is_fragment: true,

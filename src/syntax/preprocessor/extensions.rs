@@ -2,43 +2,11 @@
 
 use super::macros::Piece;
 use super::{ExtensionUse, Preprocessor, error_at};
-use crate::context::{Context, EXTENSIONS, Extension, ExtensionFacts, WebGl};
+use crate::context::{EXTENSION_BEHAVIORS, GlExtension, KNOWN_EXTENSIONS, WebGl};
 use crate::names::{Name, Version};
 use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, error};
 use shaderlint_text::{Edit, Role, Span};
-
-/// Extensions that every context has, by version of the language, measured in Chromium.
-const KNOWN_EXTENSIONS: [&str; 2] = [
-    "GL_OES_EGL_image_external",
-    "GL_OES_EGL_image_external_essl3",
-];
-
-/// What an `#extension` directive may ask for.
-pub const EXTENSION_BEHAVIORS: [&str; 4] = ["enable", "require", "warn", "disable"];
-
-/// The extensions that a shader of a version can enable.
-pub fn extensions(version: Version) -> impl Iterator<Item = &'static str> {
-    let [both, only_300] = KNOWN_EXTENSIONS;
-    let own = match version {
-        Version::Es100 => both,
-        Version::Es300 => only_300,
-    };
-    let fitting = EXTENSIONS
-        .iter()
-        .filter(move |facts| facts.extends(version));
-    fitting
-        .flat_map(|facts| facts.directives.iter().copied())
-        .chain([own])
-}
-
-impl Context {
-    /// Those of its extensions that a shader in this version can use.
-    fn usable(self, version: Version) -> impl Iterator<Item = &'static ExtensionFacts> {
-        let all = EXTENSIONS.iter();
-        all.filter(move |facts| self.has(facts.extension, version))
-    }
-}
 
 impl Preprocessor<'_> {
     /// Defines the macros of the extensions that a version of the language can use. `GL_OVR_multiview` has
@@ -101,7 +69,18 @@ impl Preprocessor<'_> {
         let has = |extension| self.context.has(extension, self.version);
         let [both, only_300] = KNOWN_EXTENSIONS;
         let is_always = name == both || name == only_300 && self.version == Version::Es300;
-        is_always || Extension::named(name).is_some_and(has)
+        is_always || GlExtension::named(name).is_some_and(has)
+    }
+
+    /// The kind of a reserved word: extensions of WebGL2 make some of them qualifiers that obey the rules of
+    /// an older one.
+    pub(super) fn reserved(&self, name: Name) -> TokenKind {
+        let has = |extension| self.out.active.contains(extension);
+        match self.names.text(name) {
+            "noperspective" if has(GlExtension::Noperspective) => TokenKind::Smooth,
+            "sample" if has(GlExtension::MultisampleInterpolation) => TokenKind::Centroid,
+            _ => TokenKind::Reserved,
+        }
     }
 
     /// Notes what a directive turns on or off.
@@ -119,7 +98,7 @@ impl Preprocessor<'_> {
     /// Reports `require` of an extension that does not exist here.
     fn refuse_extension(&mut self, span: Span, name: &str) {
         let webgl = self.context.webgl;
-        let known = Extension::named(name).map(Extension::facts);
+        let known = GlExtension::named(name).map(GlExtension::facts);
         let message = match (known, webgl) {
             (Some(facts), _) if facts.exists_in(webgl) && facts.extends(self.version) => {
                 format!("extension `{name}` is not enabled")

@@ -18,10 +18,9 @@ mod place;
 mod version;
 
 pub use directive_repair::DIRECTIVES;
-pub use extensions::{EXTENSION_BEHAVIORS, extensions};
 pub use macros::{Expansion, Macro, MacroId, Piece};
 
-use super::context::{Context, Extensions};
+use super::context::{Extensions, GlContext};
 use super::language::Feature;
 use super::lexer::{Lexer, unsplice};
 use super::names::{Name, Names, Version, WordClass};
@@ -110,7 +109,7 @@ pub fn preprocess(
     sources: &Sources,
     files: &[FileId],
     is_fragment: bool,
-    context: Context,
+    context: GlContext,
 ) -> Preprocessed {
     let mut pp = Preprocessor::new(sources, files, is_fragment, context);
     pp.define_predefined();
@@ -182,7 +181,7 @@ struct Preprocessor<'a> {
     /// Whether a host adds text before the user's.
     has_prelude: bool,
     is_fragment: bool,
-    context: Context,
+    context: GlContext,
     names: Names,
     version: Version,
     macros: Vec<Macro>,
@@ -231,7 +230,7 @@ impl<'a> Preprocessor<'a> {
         sources: &'a Sources,
         files: &'a [FileId],
         is_fragment: bool,
-        context: Context,
+        context: GlContext,
     ) -> Preprocessor<'a> {
         Preprocessor {
             sources,
@@ -496,7 +495,7 @@ impl<'a> Preprocessor<'a> {
                         token.kind = TokenKind::Type;
                         token.value = word as u32;
                     }
-                    WordClass::Reserved => token.kind = TokenKind::Reserved,
+                    WordClass::Reserved => token.kind = self.reserved(name),
                 }
             }
             TokenKind::Bad => {

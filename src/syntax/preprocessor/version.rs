@@ -2,7 +2,7 @@
 
 use super::macros::Piece;
 use super::{Preprocessor, error_at};
-use crate::context::WebGl;
+use crate::context::{GlContext, WebGl};
 use crate::names::Version;
 use crate::token::TokenKind;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, Subject, error};
@@ -27,9 +27,13 @@ impl Preprocessor<'_> {
             (100, []) => self.set_version(Version::Es100),
             (300, ["es"]) => {
                 self.set_version(Version::Es300);
-                match self.context.webgl {
-                    WebGl::One => self.refuse_300(span),
-                    WebGl::Two => self.check_first_line(span),
+                match self.context {
+                    GlContext {
+                        webgl: WebGl::One,
+                        is_known: true,
+                        ..
+                    } => self.refuse_300(span),
+                    _ => self.check_first_line(span),
                 }
             }
             (300, []) => {

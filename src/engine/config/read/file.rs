@@ -12,7 +12,7 @@ use serde::Deserialize;
 use shaderlint_format::{Brace, Indentation, StyleChoice};
 use shaderlint_host::{Preset, host_named, names, none_of};
 use shaderlint_lint::{Renderer, RulePreset};
-use shaderlint_syntax::{EXTENSIONS, Extension, Extensions, Version, WordClass, classify};
+use shaderlint_syntax::{EXTENSIONS, Extensions, GlExtension, Version, WordClass, classify};
 use std::collections::BTreeMap;
 use toml::Spanned;
 
@@ -103,7 +103,7 @@ pub struct Override {
 /// The extensions that a list names.
 pub fn enabled(list: Option<Vec<Spanned<String>>>) -> Result<Option<Extensions>, Mistake> {
     let named = |entry: &Spanned<String>| {
-        Extension::named(entry.get_ref()).ok_or_else(|| {
+        GlExtension::named(entry.get_ref()).ok_or_else(|| {
             let known: Vec<&str> = EXTENSIONS.iter().map(|facts| facts.name).collect();
             Mistake::at(entry, none_of(entry.get_ref(), &known))
         })

@@ -42,6 +42,8 @@ impl Explain for LayoutError {
             E::OutOfRange(location) => report(&format!("location {location} is out of range"))
                 .note("a vertex shader has 16 input locations, 0 to 15"),
             E::Shared => report("`location` can only apply to a single variable"),
+            E::Views(most) => report("the number of views differs, or is too large")
+                .note(format!("Chromium has at most {most} views, WebGL at least 2")),
             E::OfNothing => report("expected a declaration after these qualifiers"),
             E::NotUniform => report("a default layout can only be set for `uniform`"),
         }

@@ -51,6 +51,11 @@ impl Explain for ArgumentError {
             }
             E::DynamicOffset(arg) => c.explain_dynamic_offset(arg),
             E::Offset(arg, offset) => c.explain_offset(arg, offset),
+            E::Interpolant(arg, function) => {
+                let message = format!("`{}` needs an input of the shader here", function.name());
+                c.error_expr(error::ARGUMENT_MISMATCH, arg, message)
+                    .note("its first argument must be an `in` variable or an element of one")
+            }
         }
     }
 }

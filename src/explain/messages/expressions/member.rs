@@ -371,6 +371,7 @@ impl ExplainContext<'_> {
             Indexed::Blocks => "an array of blocks",
             Indexed::Outputs => "an array of fragment outputs",
             Indexed::Output => "a fragment output",
+            Indexed::Unsized => "a built-in array that is not declared with a size",
         };
         let message = format!("{what} must be indexed with a constant");
         self.error_expr(error::INVALID_INDEX, id, message)

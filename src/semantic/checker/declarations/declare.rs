@@ -3,6 +3,7 @@
 use super::qualifier::{Qualified, StorageRequest};
 use crate::checker::*;
 use crate::host::channel;
+use shaderlint_syntax::GlExtension;
 
 /// An error in the declaration of a variable.
 #[derive(Clone, Copy, Debug)]
@@ -130,6 +131,11 @@ impl<'a> Checker<'a> {
     ) {
         let name = Extent::token(declarator.ident.token);
         self.check_variable_layout(qualified, name);
+        if let Some(word) = qualified.layout.depth
+            && self.text(declarator.ident.name) != "gl_FragDepth"
+        {
+            self.reject(Extent::token(word.token), LayoutError::Unknown(word.name));
+        }
         let ok = self.check_qualified_type(qualified, base, name);
         let mut ty = self.with_arrays(base, declarator.arrays, qualified.storage);
         let mut initial = None;
@@ -186,7 +192,9 @@ impl<'a> Checker<'a> {
         if let (Some(id), Some(info)) = (id, initial) {
             self.track_always_true(id, info, ty);
         }
-        self.note_output(declarator, qualified, ty);
+        if !self.is_builtin_name(declarator.ident.name) {
+            self.note_output(declarator, qualified, ty);
+        }
         self.check_declared_depth(declarator);
     }
 
@@ -233,11 +241,44 @@ impl<'a> Checker<'a> {
         if self.is_prelude(ident.token) {
             ty = self.channel_type(ident.name, ty);
         }
-        self.check_not_reserved(ident);
+        if !self.redeclares_builtin(ident, ty, storage) {
+            self.check_not_reserved(ident);
+        }
         if self.is_redefinition(ident) {
             return None;
         }
         Some(self.bind_variable(ident, ty, storage, is_const, constant))
+    }
+
+    /// Whether a name is that of a built-in variable.
+    fn is_builtin_name(&self, name: Name) -> bool {
+        let text = self.text(name);
+        text.starts_with("gl_") && self.builtins.variable(text).is_some()
+    }
+
+    /// Whether a declaration repeats a built-in variable as an extension allows: distances with a size
+    /// before they are used, and the depth.
+    fn redeclares_builtin(&self, ident: Ident, ty: Type, storage: Storage) -> bool {
+        let text = self.text(ident.name);
+        if !text.starts_with("gl_") || !self.at_global_scope() {
+            return false;
+        }
+        let Some((builtin, known)) = self.builtins.variable(text).and_then(|b| Some((b, b.ty?)))
+        else {
+            return false;
+        };
+        let is_like = known.element() == ty.element()
+            && known.is_array() == ty.is_array()
+            && ty.array <= known.array
+            && self.storage_of_builtin(builtin) == storage;
+        let is_allowed = match text {
+            "gl_FragDepth" => self.has_active(GlExtension::ConservativeDepth),
+            "gl_ClipDistance" | "gl_CullDistance" => {
+                !self.builtin_variables.contains_key(&ident.name)
+            }
+            _ => false,
+        };
+        is_like && is_allowed
     }
 
     /// Binds a name to a new variable.

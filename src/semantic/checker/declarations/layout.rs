@@ -2,9 +2,12 @@
 
 use super::qualifier::{LayoutQualifier, Qualified, StorageRequest};
 use crate::checker::*;
+use shaderlint_syntax::GlExtension;
 
 /// The minimum that WebGL2 guarantees, and the limit that Chromium compiles with.
 const MAX_VERTEX_ATTRIBS: i32 = 16;
+/// The limit that Chromium compiles with.
+const MAX_VIEWS: i32 = 4;
 
 /// An error in a `layout(...)`.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +31,8 @@ pub enum LayoutError {
     OutOfRange(i32),
     /// A location for several variables.
     Shared,
+    /// Another number of views than before, or too many.
+    Views(i32),
     /// Qualifiers without a declaration.
     OfNothing,
     /// A default layout for anything but uniforms.
@@ -63,6 +68,12 @@ impl Checker<'_> {
                 LayoutError::NotInWebgl(ident.name)
             }
             "location" => LayoutError::NoNumber,
+            "depth_any" | "depth_greater" | "depth_less"
+                if self.has_active(GlExtension::ConservativeDepth) =>
+            {
+                layout.depth = Some(ident);
+                return;
+            }
             _ => LayoutError::Unknown(ident.name),
         };
         self.reject(Extent::token(ident.token), problem);
@@ -80,11 +91,25 @@ impl Checker<'_> {
                 layout.locations += 1;
             }
             "location" => self.reject(Extent::token(value.token), LayoutError::Negative),
+            "num_views"
+                if self.stage == Stage::Vertex && self.has_active(GlExtension::Multiview) =>
+            {
+                let before = *self.views.get_or_insert(value.value);
+                if before != value.value || !(1..=MAX_VIEWS).contains(&value.value) {
+                    self.reject(Extent::token(value.token), LayoutError::Views(MAX_VIEWS));
+                }
+                layout.views = Some(value.value);
+            }
             _ => self.reject(
                 Extent::token(ident.token),
                 LayoutError::UnknownNumber(ident.name),
             ),
         }
+    }
+
+    /// Whether the shader turns on an extension.
+    pub(in crate::checker) fn has_active(&self, extension: GlExtension) -> bool {
+        self.tokens.active.contains(extension)
     }
 
     /// Checks the layout of the declaration of a variable.
@@ -114,6 +139,8 @@ impl Checker<'_> {
         let qualified = self.qualifiers(qualifiers);
         let problem = if qualified.layout.is_empty() {
             LayoutError::OfNothing
+        } else if qualified.layout.views.is_some() && qualified.storage == StorageRequest::In {
+            return;
         } else if qualified.storage != StorageRequest::Uniform {
             LayoutError::NotUniform
         } else if qualified.layout.location.is_some() {

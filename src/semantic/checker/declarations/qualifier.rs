@@ -161,13 +161,17 @@ pub(in crate::checker) struct LayoutQualifier {
     pub matrix: bool,
     /// Whether `std140`, `shared` or `packed` is given.
     pub block: bool,
+    /// The number of views, of `OVR_multiview2`.
+    pub views: Option<i32>,
+    /// How `gl_FragDepth` is changed, of `EXT_conservative_depth`.
+    pub depth: Option<Ident>,
     /// Tokens of the entries.
     pub extent: Option<Extent>,
 }
 
 impl LayoutQualifier {
     pub fn is_empty(&self) -> bool {
-        self.location.is_none() && !self.matrix && !self.block
+        self.location.is_none() && !self.matrix && !self.block && self.views.is_none()
     }
 }
 

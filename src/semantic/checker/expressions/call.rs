@@ -20,6 +20,8 @@ pub enum ArgumentError {
     DynamicOffset(ExprId),
     /// A texture offset that is out of range.
     Offset(ExprId, i32),
+    /// An argument that is not an input of the fragment shader, for this function.
+    Interpolant(ExprId, BuiltinId),
 }
 
 impl Checker<'_> {
@@ -187,6 +189,9 @@ impl Checker<'_> {
                 self.check_offset(arg);
             }
         }
+        if function.interpolates() {
+            self.check_interpolant(list, function);
+        }
         let is_math = function.kind() == BuiltinKind::Math && overload.out == 0;
         let constant = if is_math {
             self.fold_call(overload, list)
@@ -225,6 +230,22 @@ impl Checker<'_> {
     }
 
     /// Checks that a texture offset is a constant within [`TEXEL_OFFSETS`] (section 8.8).
+    /// The first argument must be an input or an element of one.
+    fn check_interpolant(&mut self, list: &[ExprId], function: BuiltinId) {
+        let Some(&first) = list.first() else { return };
+        let mut object = self.tree.unparen(first);
+        if let ExprKind::Index(array, _) = self.tree.expr(object).kind
+            && self.ty(array).is_array()
+        {
+            object = self.tree.unparen(array);
+        }
+        let variable = self.variable_of(object);
+        let storage = variable.and_then(|id| Some(self.variables.get(id.0 as usize)?.storage));
+        if storage != Some(Storage::Input) {
+            self.reject_expr(first, ArgumentError::Interpolant(first, function));
+        }
+    }
+
     fn check_offset(&mut self, arg: ExprId) {
         let info = self.info(arg);
         if !info.is_const {

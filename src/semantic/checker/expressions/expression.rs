@@ -32,6 +32,8 @@ pub enum Indexed {
     Blocks,
     Outputs,
     Output,
+    /// A built-in array whose size only a declaration gives.
+    Unsized,
 }
 
 impl Checker<'_> {
@@ -391,7 +393,12 @@ impl Checker<'_> {
         if at.is_const && at.constant.is_known() {
             return;
         }
+        let name = storage.map_or("", |v| self.text(v.name));
         let what = match base.ty.base {
+            _ if is_builtin && name == "gl_SampleMask" => return,
+            _ if is_builtin && matches!(name, "gl_ClipDistance" | "gl_CullDistance") => {
+                Indexed::Unsized
+            }
             Base::Sampler(_) if base.ty.is_array() => Indexed::Samplers,
             Base::Block(_) => Indexed::Blocks,
             _ if is_output && self.stage == Stage::Fragment && base.ty.is_array() => {
