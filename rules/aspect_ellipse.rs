@@ -1,26 +1,16 @@
 //! Circles that are drawn as ellipses, and rotations that shear, on a canvas that is not square.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{Start, Varying};
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_lint::screen::{Along, along};
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
-pub static RULE: Rule = Rule {
-    name: "aspect-ellipse",
-    group: Group::Look,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("aspect_ellipse.md"),
-    checks: &[
-        Check::Builtin(check_call),
-        Check::Binary(check_comparison),
-        Check::Program(check_rotations),
-    ],
-};
+rule! {
+    aspect_ellipse, Look, Info, Recommended,
+    Builtin(check_call), Binary(check_comparison), Program(check_rotations)
+}
 
 /// Widest ramp of `smoothstep` that still counts as a sharp edge.
 const EDGE: f64 = 0.05;

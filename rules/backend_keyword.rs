@@ -1,20 +1,11 @@
 //! Names that other shading languages reserve.
 
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredName, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, DeclaredName, Setting};
 use shaderlint_syntax::ast::Extent;
 use std::sync::LazyLock;
 
-pub static RULE: Rule = Rule {
-    name: "backend-keyword",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[RuleOption::Switch(&WGSL)],
-    page: include_str!("backend_keyword.md"),
-    checks: &[Check::Name(check)],
-};
+rule! { backend_keyword, Portability, Info, Strict, [Switch(&WGSL)], Name(check) }
 
 static WGSL: Setting<bool> =
     Setting::new("wgsl", false, "Also report names that only WGSL reserves");

@@ -1,21 +1,12 @@
 //! Scenes in which no surface is lit.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Observations, Watch};
+use shaderlint_lint::Context;
 use shaderlint_lint::march::Hit;
 use shaderlint_lint::sample::{Round, SampleRun, SampledPixel, share};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use std::collections::BTreeMap;
 
-pub static RULE: Rule = Rule {
-    name: "black-silhouette",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("black_silhouette.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { black_silhouette, Runtime, Warning, Recommended, Run(check) }
 
 /// A pixel counts as black if no channel is brighter than this.
 const BLACK: f32 = 3.0 / 255.0;

@@ -1,20 +1,11 @@
 //! Rays that stop at their first step because the camera is inside an object.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::march::RayCounts;
 use shaderlint_lint::sample::SampleRun;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::number::grouped;
 
-pub static RULE: Rule = Rule {
-    name: "camera-inside",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("camera_inside.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { camera_inside, Runtime, Warning, Recommended, Run(check) }
 
 fn check(cx: &mut Context) {
     if !cx.facts.is_image_known() {

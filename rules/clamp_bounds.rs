@@ -1,19 +1,11 @@
 //! `clamp` with crossed bounds or misplaced arguments.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "clamp-bounds",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("clamp_bounds.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { clamp_bounds, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Clamp, &[x, low, high]) = (call.function, call.args) else {

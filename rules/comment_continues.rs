@@ -1,18 +1,9 @@
 //! A `\` at the end of a `//` comment, which makes the next line part of the comment.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_text::Span;
 
-pub static RULE: Rule = Rule {
-    name: "comment-continues",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("comment_continues.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { comment_continues, Tidy, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

@@ -1,19 +1,10 @@
 //! Vector components and elements of local arrays selected by a non-constant index.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "component-by-index",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("component_by_index.md"),
-    checks: &[Check::Expr(&[Shape::Index], check)],
-};
+rule! { component_by_index, Portability, Info, Strict, Expr(&[Shape::Index], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

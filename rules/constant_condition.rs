@@ -1,20 +1,11 @@
 //! Comparisons of literals, and of a `uint` with zero, that always give the same result.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::each_operand;
 use shaderlint_semantic::{Scalar, Value};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "constant-condition",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("constant_condition.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { constant_condition, Tidy, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;

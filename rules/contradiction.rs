@@ -1,19 +1,10 @@
 //! `x > 0.5 && x < 0.2`, `k != 1 || k != 2`.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, same_code};
+use shaderlint_lint::{BinaryExpr, Context, same_code};
 use shaderlint_semantic::{Program, Scalar, Value};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "contradiction",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("contradiction.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { contradiction, Tidy, Warning, Recommended, Binary(check) }
 
 /// Longest chain of `&&` or `||` that is analysed.
 const MAX_CHAIN: usize = 32;

@@ -1,24 +1,14 @@
 //! `p.x*p.x + p.x*p.x`: a component that was copied without being changed.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape, same_code};
+use shaderlint_lint::{BinaryExpr, Context, Shape, same_code};
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::*;
 use shaderlint_syntax::{Token, TokenKind};
 
-pub static RULE: Rule = Rule {
-    name: "copied-component",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("copied_component.md"),
-    checks: &[
-        Check::Binary(check_sum),
-        Check::Expr(&[Shape::Construct], check_vector),
-        Check::Stmt(check_lines),
-    ],
-};
+rule! {
+    copied_component, Tidy, Warning, Recommended,
+    Binary(check_sum), Expr(&[Shape::Construct], check_vector), Stmt(check_lines)
+}
 
 /// Component names, by naming set.
 const SETS: [&str; 3] = ["xyzw", "rgba", "stpq"];

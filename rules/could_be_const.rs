@@ -1,20 +1,12 @@
 //! Variables with a constant value that are never modified.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, DeclaredVariable};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "could-be-const",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("could_be_const.md"),
-    checks: &[Check::Declaration(check)],
-};
+rule! { could_be_const, Tidy, Info, Strict, Declaration(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;

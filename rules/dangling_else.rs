@@ -1,20 +1,11 @@
 //! An `else` that is aligned with one `if` but belongs to another.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "dangling-else",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("dangling_else.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { dangling_else, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let program = cx.program;

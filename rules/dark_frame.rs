@@ -1,19 +1,10 @@
 //! Frames in which almost nothing is visible.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{SampleFrame, SampleRun, luminance, share};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::number::rounded_percent;
 
-pub static RULE: Rule = Rule {
-    name: "dark-frame",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("dark_frame.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { dark_frame, Runtime, Warning, Recommended, Run(check) }
 
 /// A luminance up to this value looks black on most screens.
 const DARK: f32 = 12.0 / 255.0;

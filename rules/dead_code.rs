@@ -1,18 +1,10 @@
 //! Statements that never run.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_statement};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, remove_statement};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "dead-code",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("dead_code.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { dead_code, Tidy, Info, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let tree = &cx.program.tree;

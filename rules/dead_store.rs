@@ -1,22 +1,13 @@
 //! Values that are overwritten or dropped before they are read.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, DeclaredVariable, Shape};
 use shaderlint_semantic::{Storage, VariableId};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "dead-store",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("dead_store.md"),
-    checks: &[
-        Check::Expr(&[Shape::Assign], check_assignment),
-        Check::Declaration(check_declaration),
-    ],
-};
+rule! {
+    dead_store, Tidy, Info, Recommended,
+    Expr(&[Shape::Assign], check_assignment), Declaration(check_declaration)
+}
 
 fn check_assignment(cx: &mut Context, id: ExprId) {
     let tree = &cx.program.tree;

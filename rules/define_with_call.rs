@@ -1,22 +1,14 @@
 //! `#define SUN_DIR normalize(vec3(0.8, 0.4, -0.6))`.
 
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_semantic::Type;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_syntax::{Macro, TokenKind, Version};
 use shaderlint_text::{Edit, Span};
 
-pub static RULE: Rule = Rule {
-    name: "define-with-call",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("define_with_call.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { define_with_call, Tidy, Info, Strict, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

@@ -1,25 +1,17 @@
 //! Angles in degrees where radians are expected.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_flow::reaching_definitions::Def;
 use shaderlint_ir::OpKind;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Builtin, Context, Shape};
 use shaderlint_semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "degrees-in-trig",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("degrees_in_trig.md"),
-    checks: &[
-        Check::Builtin(check),
-        Check::Expr(&[Shape::Call], check_passed),
-    ],
-};
+rule! {
+    degrees_in_trig, Numeric, Warning, Recommended,
+    Builtin(check), Expr(&[Shape::Call], check_passed)
+}
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[angle] = call.args else { return };

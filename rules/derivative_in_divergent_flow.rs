@@ -1,22 +1,13 @@
 //! Derivatives in code that only some neighbouring pixels run.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{ControlId, DivergenceCause, Varying};
 use shaderlint_ir::{OpId, Provenance};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{BuiltinId, Storage};
 use shaderlint_syntax::ast::StmtKind;
 use shaderlint_text::Span;
 
-pub static RULE: Rule = Rule {
-    name: "derivative-in-divergent-flow",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("derivative_in_divergent_flow.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { derivative_in_divergent_flow, Portability, Info, Recommended, Program(check) }
 
 /// Most labels of a finding.
 const MAX_LABELS: usize = 4;

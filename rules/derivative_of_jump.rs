@@ -1,18 +1,9 @@
 //! Derivatives of discontinuous values.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "derivative-of-jump",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("derivative_of_jump.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { derivative_of_jump, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::DFdx | BuiltinId::DFdy | BuiltinId::Fwidth, &[of]) = (call.function, call.args)

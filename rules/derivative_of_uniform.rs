@@ -1,19 +1,10 @@
 //! Derivatives of values that are the same for all pixels.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Varying;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Stage};
 
-pub static RULE: Rule = Rule {
-    name: "derivative-of-uniform",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("derivative_of_uniform.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { derivative_of_uniform, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::DFdx | BuiltinId::DFdy | BuiltinId::Fwidth, &[of]) = (call.function, call.args)

@@ -1,21 +1,12 @@
 //! Divisions by zero that occurred in a sample run.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{FaultKind, NumberObservation};
 use shaderlint_ir::OpId;
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::OFTEN;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Scalar;
 
-pub static RULE: Rule = Rule {
-    name: "division-by-zero-seen",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("division_by_zero_seen.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { division_by_zero_seen, Runtime, Warning, Recommended, Run(check) }
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;

@@ -1,20 +1,11 @@
 //! Gamma correction of a colour that is already corrected.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "double-gamma",
-    group: Group::Look,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("double_gamma.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { double_gamma, Look, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Pow, &[base, _]) = (call.function, call.args) else {

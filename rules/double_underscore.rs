@@ -1,18 +1,9 @@
 //! Macro names with two consecutive underscores.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_syntax::Macro;
 
-pub static RULE: Rule = Rule {
-    name: "double-underscore",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("double_underscore.md"),
-    checks: &[Check::Macro(check)],
-};
+rule! { double_underscore, Portability, Info, Recommended, Macro(check) }
 
 fn check(cx: &mut Context, definition: &Macro) {
     let span = definition.name_span;

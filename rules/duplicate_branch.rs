@@ -1,22 +1,13 @@
 //! Identical branches, and conditions that are tested twice.
 
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape, code_hash, same_code};
+use shaderlint_lint::{Context, Shape, code_hash, same_code};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "duplicate-branch",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("duplicate_branch.md"),
-    checks: &[
-        Check::Stmt(check_if),
-        Check::Expr(&[Shape::Ternary], check_ternary),
-    ],
-};
+rule! {
+    duplicate_branch, Tidy, Warning, Recommended,
+    Stmt(check_if), Expr(&[Shape::Ternary], check_ternary)
+}
 
 fn check_if(cx: &mut Context, id: StmtId) {
     let program = cx.program;

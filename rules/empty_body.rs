@@ -1,20 +1,12 @@
 //! `if (x); { ... }`: a semicolon that is the entire body.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "empty-body",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("empty_body.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { empty_body, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let tree = &cx.program.tree;

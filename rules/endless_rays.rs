@@ -1,23 +1,14 @@
 //! Marching loops without a maximum distance, in which rays that miss take all steps.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::Watch;
 use shaderlint_flow::{HitTest, RayKind};
+use shaderlint_lint::Context;
 use shaderlint_lint::march::March;
 use shaderlint_lint::sample::{Round, SampleRun};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 use shaderlint_text::number::{grouped, rounded_percent};
 
-pub static RULE: Rule = Rule {
-    name: "endless-rays",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("endless_rays.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { endless_rays, Budget, Info, Recommended, Run(check) }
 
 /// Fewest steps that are worth saving.
 const LEAST_STEPS: u64 = 32;

@@ -1,18 +1,9 @@
 //! Exponential functions of arguments that are too large.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "exp-overflow",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("exp_overflow.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { exp_overflow, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[of] = call.args else { return };

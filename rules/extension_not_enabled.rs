@@ -1,20 +1,11 @@
 //! Extensions that a shader uses and nothing is known to enable.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::Program;
 use shaderlint_syntax::{EXTENSIONS, ExtensionFacts, Name, TokenKind};
 use shaderlint_text::Span;
 
-pub static RULE: Rule = Rule {
-    name: "extension-not-enabled",
-    group: Group::Webgl2,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("extension_not_enabled.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { extension_not_enabled, Webgl2, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

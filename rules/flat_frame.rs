@@ -1,20 +1,11 @@
 //! Frames of one colour, and frames in which no ray hits anything.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::march::MarchOutcome;
 use shaderlint_lint::sample::{SampleFrame, SampleRun, SampledPixel, is_too_bright};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::number::grouped;
 
-pub static RULE: Rule = Rule {
-    name: "flat-frame",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("flat_frame.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { flat_frame, Runtime, Warning, Recommended, Run(check) }
 
 /// Channels that differ by less than this look the same.
 const NEAR: f32 = 1.5 / 255.0;

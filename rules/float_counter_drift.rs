@@ -1,19 +1,10 @@
 //! Float counters where rounding changes the number of iterations.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Program, Scalar, Value, VariableId};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "float-counter-drift",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("float_counter_drift.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { float_counter_drift, Numeric, Warning, Recommended, Stmt(check) }
 
 /// Most iterations that are counted.
 const MAX_ITERATIONS: u32 = 10_000;

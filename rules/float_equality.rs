@@ -1,21 +1,12 @@
 //! `a == b` on floats when one side is rounded.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Varying;
 use shaderlint_flow::ranges::{Interval, Rounding};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
-pub static RULE: Rule = Rule {
-    name: "float-equality",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("float_equality.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { float_equality, Numeric, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     if !matches!(e.op, BinaryOp::Equal | BinaryOp::NotEqual) {

@@ -1,22 +1,13 @@
 //! Images that depend on the last digits of a sine, a square root or a division.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile};
 use shaderlint_ir::OpKind;
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::Round;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::number::rounded_percent;
 
-pub static RULE: Rule = Rule {
-    name: "gpu-dependent-picture",
-    group: Group::Runtime,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("gpu_dependent_picture.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { gpu_dependent_picture, Runtime, Info, Strict, Run(check) }
 
 /// Least share of the pixels that look different.
 const SEEN: f64 = 0.2;

@@ -1,19 +1,10 @@
 //! Derivatives in loops that pixels exit at different iterations.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::DivergenceCause;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "gradient-in-loop",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("gradient_in_loop.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { gradient_in_loop, Portability, Info, Recommended, Program(check) }
 
 /// Most findings in one shader.
 const MAX_FINDINGS: usize = 8;

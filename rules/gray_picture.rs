@@ -1,18 +1,9 @@
 //! Images that look gray although their channels differ.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{SampleRun, SampledPixel, luminance, share};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 
-pub static RULE: Rule = Rule {
-    name: "gray-picture",
-    group: Group::Runtime,
-    severity: Severity::Info,
-    preset: RulePreset::All,
-    options: &[],
-    page: include_str!("gray_picture.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { gray_picture, Runtime, Info, All, Run(check) }
 
 /// Colours of at most this saturation look gray.
 const GRAY: f32 = 0.08;

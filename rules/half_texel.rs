@@ -1,20 +1,11 @@
 //! Texture lookups at the corners of texels.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Scalar};
 
-pub static RULE: Rule = Rule {
-    name: "half-texel",
-    group: Group::Numeric,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("half_texel.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { half_texel, Numeric, Info, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     use BuiltinId::{Texture, Texture2D, TextureLod};

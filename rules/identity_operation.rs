@@ -1,19 +1,10 @@
 //! `x * 1.0`, `x + 0.0`, `pow(x, 1.0)`.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "identity-operation",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("identity_operation.md"),
-    checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],
-};
+rule! { identity_operation, Tidy, Info, Strict, Binary(check_binary), Builtin(check_builtin) }
 
 fn check_binary(cx: &mut Context, e: &BinaryExpr) {
     use BinaryOp::*;

@@ -1,21 +1,12 @@
 //! Indices outside their array, vector or matrix.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::Type;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "index-range",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("index_range.md"),
-    checks: &[Check::Expr(&[Shape::Index], check)],
-};
+rule! { index_range, Numeric, Warning, Recommended, Expr(&[Shape::Index], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

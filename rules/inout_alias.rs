@@ -1,19 +1,10 @@
 //! One variable passed to two output parameters, or passed and used as a global.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::{Direction, FunctionRef, Resolution, Storage, VariableId, swizzled};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "inout-alias",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("inout_alias.md"),
-    checks: &[Check::Expr(&[Shape::Call], check)],
-};
+rule! { inout_alias, Numeric, Warning, Recommended, Expr(&[Shape::Call], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

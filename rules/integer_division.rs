@@ -1,20 +1,12 @@
 //! Integer divisions that discard the fractional part unintentionally.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::{Scalar, Value};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "integer-division",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("integer_division.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { integer_division, Numeric, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;

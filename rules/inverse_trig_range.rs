@@ -1,21 +1,13 @@
 //! `asin` and `acos` of arguments outside -1.0..1.0.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "inverse-trig-range",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("inverse_trig_range.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { inverse_trig_range, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Asin | BuiltinId::Acos, &[of]) = (call.function, call.args) else {

@@ -1,18 +1,9 @@
 //! `isnan` and `isinf`, which compilers may optimise away.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "isnan-optimised",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("isnan_optimised.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { isnan_optimised, Portability, Info, Strict, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     if !matches!(call.function, BuiltinId::IsNan | BuiltinId::IsInf) {

@@ -1,21 +1,12 @@
 //! Comparisons where the ranges of both sides decide the result.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::{Interval, Rounding};
 use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::{Scalar, Storage};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "known-comparison",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("known_comparison.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { known_comparison, Numeric, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     use BinaryOp::{Greater, GreaterEqual, Less, LessEqual};

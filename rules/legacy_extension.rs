@@ -1,19 +1,11 @@
 //! `#extension` for features that are built into GLSL ES 3.00.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_lines};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, remove_lines};
 use shaderlint_semantic::CORE_EXTENSIONS;
 use shaderlint_syntax::Version;
 
-pub static RULE: Rule = Rule {
-    name: "legacy-extension",
-    group: Group::Webgl2,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("legacy_extension.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { legacy_extension, Webgl2, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

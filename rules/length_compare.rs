@@ -1,19 +1,10 @@
 //! `length(p) < r`: a square root that the comparison does not need.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "length-compare",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Performance,
-    options: &[],
-    page: include_str!("length_compare.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { length_compare, Budget, Info, Performance, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     use BinaryOp::{Greater, GreaterEqual, Less, LessEqual};

@@ -1,6 +1,33 @@
 //! All lint rules. Each is a pair of files: `NAME.rs` implements it, `NAME.md` is its page. `errors/` has
 //! the pages of the compile errors.
 
+/// Declares the rule of a file: its name, group, severity, preset, options if it has some, and what it is
+/// called for, as [`Check`](shaderlint_lint::Check) lists it. The page is in the file beside it.
+macro_rules! rule {
+    (
+        $name:ident, $group:ident, $severity:ident, $preset:ident,
+        $([$($option:ident($setting:expr)),+],)?
+        $($check:ident $(($($argument:expr),+))?),+
+    ) => {
+        pub static RULE: shaderlint_lint::Rule = shaderlint_lint::Rule {
+            name: {
+                const NAME: &str = stringify!($name);
+                const KEBAB: [u8; NAME.len()] = shaderlint_lint::kebab(NAME);
+                match str::from_utf8(&KEBAB) {
+                    Ok(name) => name,
+                    Err(_) => NAME,
+                }
+            },
+            group: shaderlint_lint::Group::$group,
+            severity: shaderlint_diagnostic::Severity::$severity,
+            preset: shaderlint_lint::RulePreset::$preset,
+            options: &[$($(shaderlint_lint::RuleOption::$option($setting)),+)?],
+            page: include_str!(concat!(stringify!($name), ".md")),
+            checks: &[$(shaderlint_lint::Check::$check $(($($argument),+))?),+],
+        };
+    };
+}
+
 mod aspect_ellipse;
 mod assignment_in_condition;
 mod backend_keyword;

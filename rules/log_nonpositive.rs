@@ -1,20 +1,11 @@
 //! Logarithms of zero and of negative numbers.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "log-nonpositive",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("log_nonpositive.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { log_nonpositive, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Log | BuiltinId::Log2, &[of]) = (call.function, call.args) else {

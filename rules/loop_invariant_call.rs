@@ -1,22 +1,13 @@
 //! Expensive calls that return the same value in every iteration of a loop.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::LoopFacts;
 use shaderlint_lint::loop_invariant::{
     InvariantLoops, Places, is_loop_invariant, runs_each_iteration,
 };
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "loop-invariant-call",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Number(&OPERATIONS)],
-    page: include_str!("loop_invariant_call.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { loop_invariant_call, Budget, Info, Recommended, [Number(&OPERATIONS)], Program(check) }
 
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",

@@ -1,23 +1,14 @@
 //! Expensive built-in functions that return the same value in every iteration of a loop.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{Bound, LoopFacts};
+use shaderlint_lint::Context;
 use shaderlint_lint::loop_invariant::{
     InvariantLoops, Places, is_loop_invariant, runs_each_iteration,
 };
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{BuiltinId, Program, Resolution, each_operand};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "loop-invariant-math",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Performance,
-    options: &[],
-    page: include_str!("loop_invariant_math.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { loop_invariant_math, Budget, Info, Performance, Program(check) }
 
 /// Minimum iterations of a loop that is checked: a few samples per pixel cost little.
 const FEWEST_ITERATIONS: u64 = 8;

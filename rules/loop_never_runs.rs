@@ -1,19 +1,10 @@
 //! Loops whose condition is false from the start.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Program, Value};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "loop-never-runs",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("loop_never_runs.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { loop_never_runs, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let program = cx.program;

@@ -1,20 +1,12 @@
 //! Luma weights that do not add up to 1.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "luma-weights",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("luma_weights.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { luma_weights, Numeric, Warning, Recommended, Builtin(check) }
 
 /// Luma weights of red, green and blue in the television standards.
 const STANDARDS: [([f64; 3], &str); 3] = [

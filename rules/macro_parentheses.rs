@@ -1,23 +1,15 @@
 //! `#define SUM a + b` in a product, `#define SQ(x) x*x` of a sum.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_lint::expansion::{Expanded, expanded, expanded_inside, spelling};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Program;
 use shaderlint_syntax::ast::{Extent, TokenId};
 use shaderlint_syntax::{Macro, Token, TokenKind};
 use shaderlint_text::Edit;
 use std::collections::BTreeMap;
 
-pub static RULE: Rule = Rule {
-    name: "macro-parentheses",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("macro_parentheses.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { macro_parentheses, Tidy, Warning, Recommended, Program(check) }
 
 /// A macro call with tokens that operator precedence splits.
 #[derive(Clone, Copy)]

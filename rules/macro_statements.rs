@@ -1,20 +1,11 @@
 //! `if (hit) MACRO;` where the macro expands to more than one statement.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::expansion::{Expanded, expanded};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "macro-statements",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("macro_statements.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { macro_statements, Tidy, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

@@ -1,20 +1,12 @@
 //! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches the caller.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
 use shaderlint_syntax::ast::{Extent, QualifierKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "mainimage-qualifiers",
-    group: Group::Webgl2,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("mainimage_qualifiers.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { mainimage_qualifiers, Webgl2, Warning, Recommended, Function(check) }
 
 fn check(cx: &mut Context, id: FunctionRef) {
     let program = cx.program;

@@ -2,22 +2,14 @@
 
 use BinaryOp::{Add, Div, Mul, Sub};
 use Formula::{Binary, Call, Number, Operand, Unary};
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_lint::formula::{Formula, operands};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar, Type};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "manual-builtin",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("manual_builtin.md"),
-    checks: &[Check::Expr(&[Shape::Binary, Shape::Call], check)],
-};
+rule! { manual_builtin, Tidy, Info, Strict, Expr(&[Shape::Binary, Shape::Call], check) }
 
 /// Whether the built-in accepts the operands and is shorter than the formula.
 type Fits = fn(&Context, ExprId, &[ExprId]) -> bool;

@@ -1,21 +1,12 @@
 //! Large scene functions that one function calls many times.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::number::grouped;
 use std::collections::BTreeMap;
 
-pub static RULE: Rule = Rule {
-    name: "map-inlining",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Count(&CALLS), RuleOption::Number(&SIZE)],
-    page: include_str!("map_inlining.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { map_inlining, Budget, Info, Recommended, [Count(&CALLS), Number(&SIZE)], Function(check) }
 
 static CALLS: Setting<u64> = Setting::new(
     "calls",

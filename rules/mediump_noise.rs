@@ -1,22 +1,13 @@
 //! Hashes and time in `mediump` or `lowp`.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Unary};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_semantic::{BuiltinId, Stage, Storage};
 use shaderlint_syntax::TypeWord;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "mediump-noise",
-    group: Group::Portability,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Number(&FACTOR)],
-    page: include_str!("mediump_noise.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { mediump_noise, Portability, Warning, Recommended, [Number(&FACTOR)], Program(check) }
 
 static FACTOR: Setting<f64> = Setting::new(
     "factor",

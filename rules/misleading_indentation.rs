@@ -1,19 +1,10 @@
 //! A statement that is indented as if an `if` or loop controlled it, but follows it.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "misleading-indentation",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("misleading_indentation.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { misleading_indentation, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let tree = &cx.program.tree;

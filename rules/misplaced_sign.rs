@@ -1,19 +1,11 @@
 //! `x =- 1.0` where `x -= 1.0` is meant.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, Shape};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
-pub static RULE: Rule = Rule {
-    name: "misplaced-sign",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("misplaced_sign.md"),
-    checks: &[Check::Expr(&[Shape::Assign], check)],
-};
+rule! { misplaced_sign, Tidy, Warning, Recommended, Expr(&[Shape::Assign], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

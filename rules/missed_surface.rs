@@ -1,20 +1,12 @@
 //! Marching loops whose rays step over a surface.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_lint::march::{March, StepLength, limit_edit, step_edits};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 use shaderlint_text::number::{decimals, rounded_percent};
 
-pub static RULE: Rule = Rule {
-    name: "missed-surface",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("missed_surface.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { missed_surface, Runtime, Warning, Recommended, Run(check) }
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;

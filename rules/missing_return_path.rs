@@ -1,18 +1,9 @@
 //! Functions that may end without returning a value.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::FunctionRef;
 
-pub static RULE: Rule = Rule {
-    name: "missing-return-path",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("missing_return_path.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { missing_return_path, Numeric, Warning, Recommended, Function(check) }
 
 fn check(cx: &mut Context, id: FunctionRef) {
     let program = cx.program;

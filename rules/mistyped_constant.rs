@@ -1,20 +1,12 @@
 //! Well-known numbers with wrong digits.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, Shape};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 use std::f64::consts::{E, FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 
-pub static RULE: Rule = Rule {
-    name: "mistyped-constant",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("mistyped_constant.md"),
-    checks: &[Check::Expr(&[Shape::FloatLiteral], check)],
-};
+rule! { mistyped_constant, Numeric, Warning, Recommended, Expr(&[Shape::FloatLiteral], check) }
 
 /// A constant, its name, and the number of leading digits that identify it.
 const KNOWN: &[(f64, &str, usize)] = &[

@@ -1,21 +1,12 @@
 //! The click position in `iMouse.zw`, used without removing its sign, and its sign used as a button.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Dialect, Pass, Scalar, each_operand};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "mouse-sign",
-    group: Group::Webgl2,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("mouse_sign.md"),
-    checks: &[Check::Binary(check_binary), Check::Builtin(check_distance)],
-};
+rule! { mouse_sign, Webgl2, Warning, Recommended, Binary(check_binary), Builtin(check_distance) }
 
 fn check_binary(cx: &mut Context, e: &BinaryExpr) {
     use BinaryOp::{Greater, GreaterEqual, Less, LessEqual};

@@ -1,21 +1,13 @@
 //! `x != x` as a test for NaN.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::Version;
 use shaderlint_syntax::ast::BinaryOp;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "nan-compare",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("nan_compare.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { nan_compare, Numeric, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;

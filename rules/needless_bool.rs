@@ -1,25 +1,17 @@
 //! `x == true`, `c ? true : false`, `!!a`.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{BinaryExpr, Context, Shape};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
 /// Longest expression that a fix repeats, in bytes.
 const MAX_LENGTH: usize = 200;
 
-pub static RULE: Rule = Rule {
-    name: "needless-bool",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("needless_bool.md"),
-    checks: &[
-        Check::Binary(check_comparison),
-        Check::Expr(&[Shape::Ternary], check_ternary),
-    ],
-};
+rule! {
+    needless_bool, Tidy, Info, Strict,
+    Binary(check_comparison), Expr(&[Shape::Ternary], check_ternary)
+}
 
 /// `x == true`
 fn check_comparison(cx: &mut Context, e: &BinaryExpr) {

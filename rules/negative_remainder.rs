@@ -1,23 +1,17 @@
 //! `%` with negative operands.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 /// Limit of the number that the help adds, so that the sum does not overflow.
 const MAX_ADDED: f64 = 1e6;
 
-pub static RULE: Rule = Rule {
-    name: "negative-remainder",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("negative_remainder.md"),
-    checks: &[Check::Expr(&[Shape::Binary, Shape::Assign], check)],
-};
+rule! {
+    negative_remainder, Numeric, Warning, Recommended,
+    Expr(&[Shape::Binary, Shape::Assign], check)
+}
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

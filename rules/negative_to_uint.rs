@@ -1,21 +1,13 @@
 //! Negative floats that are converted to unsigned integers.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "negative-to-uint",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("negative_to_uint.md"),
-    checks: &[Check::Expr(&[Shape::Construct], check)],
-};
+rule! { negative_to_uint, Numeric, Warning, Recommended, Expr(&[Shape::Construct], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

@@ -1,18 +1,9 @@
 //! Nested loops with too many iterations per pixel.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_syntax::ast::{Extent, StmtKind};
 
-pub static RULE: Rule = Rule {
-    name: "nested-iterations",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Number(&ITERATIONS)],
-    page: include_str!("nested_iterations.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { nested_iterations, Budget, Info, Recommended, [Number(&ITERATIONS)], Program(check) }
 
 static ITERATIONS: Setting<f64> = Setting::new(
     "turns",

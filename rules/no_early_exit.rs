@@ -1,23 +1,14 @@
 //! Scene functions that evaluate every primitive at every step of a ray.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_semantic::{FunctionRef, Resolution};
 use shaderlint_semantic::{each_inner, each_operand};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "no-early-exit",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Performance,
-    options: &[
-        RuleOption::Count(&PRIMITIVES),
-        RuleOption::Number(&OPERATIONS),
-    ],
-    page: include_str!("no_early_exit.md"),
-    checks: &[Check::Program(check)],
-};
+rule! {
+    no_early_exit, Budget, Info, Performance,
+    [Count(&PRIMITIVES), Number(&OPERATIONS)], Program(check)
+}
 
 static PRIMITIVES: Setting<u64> = Setting::new(
     "primitives",

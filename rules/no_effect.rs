@@ -1,23 +1,15 @@
 //! Expressions with an unused value and no side effect.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape, remove_statement};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, Shape, remove_statement};
 use shaderlint_semantic::{Direction, Resolution, Storage, is_dropped};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "no-effect",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("no_effect.md"),
-    checks: &[
-        Check::Stmt(check_statement),
-        Check::Expr(&[Shape::Comma], check_comma),
-    ],
-};
+rule! {
+    no_effect, Tidy, Warning, Recommended,
+    Stmt(check_statement), Expr(&[Shape::Comma], check_comma)
+}
 
 fn check_statement(cx: &mut Context, id: StmtId) {
     let program = cx.program;

@@ -1,18 +1,9 @@
 //! Vectors that must have length 1 and do not.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "normal-length",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("normal_length.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { normal_length, Numeric, Warning, Recommended, Builtin(check) }
 
 /// Tolerance around length 1, for rounding and for constants written with few digits.
 const SLACK: f64 = 0.02;

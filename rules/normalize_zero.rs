@@ -1,18 +1,9 @@
 //! `normalize` of a zero vector.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "normalize-zero",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("normalize_zero.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { normalize_zero, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Normalize, &[of]) = (call.function, call.args) else {

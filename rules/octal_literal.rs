@@ -1,19 +1,11 @@
 //! `010`, which is eight.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_syntax::TokenKind;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "octal-literal",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("octal_literal.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { octal_literal, Tidy, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

@@ -1,21 +1,12 @@
 //! Noise sums with more octaves than are visible.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::reaching_definitions::{Def, DefId, ReachingDefinitions};
 use shaderlint_ir::{Binary, LoopId, Module, OpId, OpKind};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_semantic::tunable::range_after;
 use shaderlint_syntax::ast::StmtId;
 
-pub static RULE: Rule = Rule {
-    name: "octave-budget",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Performance,
-    options: &[RuleOption::Count(&OCTAVES)],
-    page: include_str!("octave_budget.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { octave_budget, Budget, Info, Performance, [Count(&OCTAVES)], Stmt(check) }
 
 static OCTAVES: Setting<u64> =
     Setting::new("octaves", 12, "Maximum octaves of a noise sum").on_swiftshader(6);

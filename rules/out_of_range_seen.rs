@@ -1,18 +1,9 @@
 //! Indices that were out of range in a sample run.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 
-pub static RULE: Rule = Rule {
-    name: "out-of-range-seen",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("out_of_range_seen.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { out_of_range_seen, Runtime, Warning, Recommended, Run(check) }
 
 fn check(cx: &mut Context) {
     for fault in cx

@@ -1,19 +1,10 @@
 //! Outputs that a function does not write.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::PartMask;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
 
-pub static RULE: Rule = Rule {
-    name: "output-not-written",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("output_not_written.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { output_not_written, Numeric, Warning, Recommended, Function(check) }
 
 /// All components of a colour, a bit each.
 const ALL_CHANNELS: PartMask = 0b1111;

@@ -1,19 +1,10 @@
 //! Parameters that the function overwrites before it reads them.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Direction, FunctionRef, Storage};
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "overwritten-parameter",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("overwritten_parameter.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { overwritten_parameter, Tidy, Info, Recommended, Function(check) }
 
 fn check(cx: &mut Context, id: FunctionRef) {
     let program = cx.program;

@@ -1,23 +1,15 @@
 //! `mod` with a period that is close to, but not, a multiple of the period of `sin`.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_flow::{AngleUse, angle_uses, period};
 use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 use std::f64::consts::TAU;
 
-pub static RULE: Rule = Rule {
-    name: "period-jump",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("period_jump.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { period_jump, Numeric, Warning, Recommended, Program(check) }
 
 /// Smallest jump of the angle that is visible, in radians.
 const VISIBLE: f64 = 0.02;

@@ -1,20 +1,12 @@
 //! `pow` with a small integer exponent in a loop.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Value};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "pow-in-loop",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Performance,
-    options: &[],
-    page: include_str!("pow_in_loop.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { pow_in_loop, Budget, Info, Performance, Builtin(check) }
 
 /// Maximum exponent that a few multiplications can replace.
 const MAX_EXPONENT: f32 = 8.0;

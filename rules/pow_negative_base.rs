@@ -1,22 +1,14 @@
 //! `pow` of a negative number.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Value};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "pow-negative-base",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("pow_negative_base.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { pow_negative_base, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Pow, &[base, exponent]) = (call.function, call.args) else {

@@ -1,19 +1,10 @@
 //! Samplers of data that default to `lowp`.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset};
+use shaderlint_lint::{Context, DeclaredVariable};
 use shaderlint_semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "precision-missing-for-sampler",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("precision_missing_for_sampler.md"),
-    checks: &[Check::Declaration(check)],
-};
+rule! { precision_missing_for_sampler, Portability, Info, Recommended, Declaration(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredVariable) {
     use QualifierKind::{Highp, Lowp, Mediump};

@@ -1,19 +1,11 @@
 //! Constructors that convert nothing: `vec3(v)` of a `vec3`, `float(1.0)`.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, Shape};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
-pub static RULE: Rule = Rule {
-    name: "redundant-constructor",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("redundant_constructor.md"),
-    checks: &[Check::Expr(&[Shape::Construct], check)],
-};
+rule! { redundant_constructor, Tidy, Info, Strict, Expr(&[Shape::Construct], check) }
 
 /// Maximum length of code that a message quotes, in bytes.
 const LONGEST: usize = 40;

@@ -1,22 +1,14 @@
 //! `normalize` of a vector that is already normalized.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_flow::reaching_definitions::Def;
 use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "redundant-normalize",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Performance,
-    options: &[],
-    page: include_str!("redundant_normalize.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { redundant_normalize, Budget, Info, Performance, Builtin(check) }
 
 /// Maximum number of copies through which a value is followed.
 const MAX_COPIES: usize = 8;

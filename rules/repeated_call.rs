@@ -1,23 +1,14 @@
 //! The same expensive call twice in one statement, where compilers do not merge the calls.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::LoopFacts;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_semantic::{FunctionRef, Program, each_expr, each_operand};
 use shaderlint_syntax::TokenKind;
 use shaderlint_syntax::ast::*;
 use std::collections::hash_map::Entry;
 
-pub static RULE: Rule = Rule {
-    name: "repeated-call",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Number(&OPERATIONS)],
-    page: include_str!("repeated_call.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { repeated_call, Budget, Info, Recommended, [Number(&OPERATIONS)], Program(check) }
 
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",

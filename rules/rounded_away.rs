@@ -1,22 +1,13 @@
 //! Numbers so close to another one, or so small, that rounding removes the difference.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{BinaryExpr, Context, Shape};
 use shaderlint_semantic::{Program, Scalar};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "rounded-away",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("rounded_away.md"),
-    checks: &[
-        Check::Expr(&[Shape::FloatLiteral], check_literal),
-        Check::Binary(check_sum),
-    ],
-};
+rule! {
+    rounded_away, Numeric, Warning, Recommended,
+    Expr(&[Shape::FloatLiteral], check_literal), Binary(check_sum)
+}
 
 /// Maximum length of a literal that is checked: a longer one was printed by a program, so that its
 /// last digits mean nothing.

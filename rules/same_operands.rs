@@ -1,22 +1,11 @@
 //! The same operand twice: `x - x`, `max(a, a)`, `a || b || a`.
 
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{
-    BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset, code_hash, same_code,
-};
+use shaderlint_lint::{BinaryExpr, Builtin, Context, code_hash, same_code};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "same-operands",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("same_operands.md"),
-    checks: &[Check::Binary(check_binary), Check::Builtin(check_builtin)],
-};
+rule! { same_operands, Tidy, Warning, Recommended, Binary(check_binary), Builtin(check_builtin) }
 
 /// Maximum length of a chain of `&&` or `||` that is checked.
 const MAX_CHAIN: usize = 64;

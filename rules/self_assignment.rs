@@ -1,24 +1,14 @@
 //! `x = x`, and `y = x; x = y`.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{
-    Check, Context, Group, Rule, RulePreset, Shape, remove_statement, same_code,
-};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, Shape, remove_statement, same_code};
 use shaderlint_semantic::VariableId;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "self-assignment",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("self_assignment.md"),
-    checks: &[
-        Check::Expr(&[Shape::Assign], check_assignment),
-        Check::Stmt(check_copies),
-    ],
-};
+rule! {
+    self_assignment, Tidy, Warning, Recommended,
+    Expr(&[Shape::Assign], check_assignment), Stmt(check_copies)
+}
 
 fn check_copies(cx: &mut Context, id: StmtId) {
     let tree = &cx.program.tree;

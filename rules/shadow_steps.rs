@@ -1,19 +1,10 @@
 //! Shadow loops that continue after the light is blocked.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::MarchGoal;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "shadow-steps",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Count(&STEPS)],
-    page: include_str!("shadow_steps.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { shadow_steps, Budget, Info, Recommended, [Count(&STEPS)], Program(check) }
 
 static STEPS: Setting<u64> = Setting::new(
     "steps",

@@ -1,19 +1,10 @@
 //! Variables that shadow a variable of an outer scope.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule, RulePreset};
+use shaderlint_lint::{Context, DeclaredName, Named};
 use shaderlint_semantic::{Storage, Variable};
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "shadowed-name",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("shadowed_name.md"),
-    checks: &[Check::Name(check)],
-};
+rule! { shadowed_name, Tidy, Info, Strict, Name(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredName) {
     let program = cx.program;

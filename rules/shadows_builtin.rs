@@ -1,20 +1,11 @@
 //! Variables and functions that shadow a built-in function.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredName, Group, Named, Rule, RulePreset};
+use shaderlint_lint::{Context, DeclaredName, Named};
 use shaderlint_semantic::Storage;
 use shaderlint_semantic::builtins::Builtins;
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "shadows-builtin",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("shadows_builtin.md"),
-    checks: &[Check::Name(check)],
-};
+rule! { shadows_builtin, Portability, Info, Strict, Name(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredName) {
     let program = cx.program;

@@ -1,19 +1,10 @@
 //! Nested loops that use the same counter.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "shared-counter",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("shared_counter.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { shared_counter, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let program = cx.program;

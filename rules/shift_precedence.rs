@@ -1,19 +1,11 @@
 //! Sums next to a shift without parentheses: `1 << n - 1`.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
-pub static RULE: Rule = Rule {
-    name: "shift-precedence",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("shift_precedence.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { shift_precedence, Tidy, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;

@@ -1,20 +1,11 @@
 //! Shift amounts that are negative, or 32 and more.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "shift-range",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("shift_range.md"),
-    checks: &[Check::Expr(&[Shape::Binary, Shape::Assign], check)],
-};
+rule! { shift_range, Numeric, Warning, Recommended, Expr(&[Shape::Binary, Shape::Assign], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let (op, by) = match cx.program.tree.expr(id).kind {

@@ -1,20 +1,12 @@
 //! Marching loops whose steps are shorter than they need to be.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_lint::march::{factor_edits, step_factor};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_syntax::ast::Extent;
 use shaderlint_text::number::decimals;
 
-pub static RULE: Rule = Rule {
-    name: "short-steps",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("short_steps.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { short_steps, Budget, Info, Recommended, Run(check) }
 
 fn check(cx: &mut Context) {
     let facts = cx.facts;

@@ -1,22 +1,14 @@
 //! `fract(sin(x) * 43758.5453)`: a hash that differs between GPUs.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_lint::formula::factors;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Builtin, Context, Setting};
 use shaderlint_semantic::{BuiltinId, Program, Scalar, Type};
 use shaderlint_syntax::Version;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "sin-hash",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[RuleOption::Number(&FACTOR)],
-    page: include_str!("sin_hash.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { sin_hash, Portability, Info, Strict, [Number(&FACTOR)], Builtin(check) }
 
 static FACTOR: Setting<f64> = Setting::new(
     "factor",

@@ -1,19 +1,10 @@
 //! Loops that run at most one iteration.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::each_inner;
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "single-turn-loop",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("single_turn_loop.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { single_turn_loop, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let program = cx.program;

@@ -1,20 +1,11 @@
 //! Normals computed with six calls of the scene function where four are enough.
 
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting, same_code};
+use shaderlint_lint::{Context, Setting, same_code};
 use shaderlint_semantic::{FunctionRef, Program, Resolution};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "six-sample-normal",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[RuleOption::Number(&OPERATIONS)],
-    page: include_str!("six_sample_normal.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { six_sample_normal, Budget, Info, Recommended, [Number(&OPERATIONS)], Program(check) }
 
 static OPERATIONS: Setting<f64> = Setting::new(
     "operations",

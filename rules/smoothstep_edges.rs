@@ -1,19 +1,11 @@
 //! `smoothstep` with reversed or equal edges.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "smoothstep-edges",
-    group: Group::Numeric,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("smoothstep_edges.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { smoothstep_edges, Numeric, Info, Strict, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Smoothstep, &[low, high, x]) = (call.function, call.args) else {

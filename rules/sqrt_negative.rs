@@ -1,21 +1,13 @@
 //! Square roots of negative numbers.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "sqrt-negative",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("sqrt_negative.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { sqrt_negative, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let (BuiltinId::Sqrt | BuiltinId::InverseSqrt, &[of]) = (call.function, call.args) else {

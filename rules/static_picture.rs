@@ -1,20 +1,11 @@
 //! Shaders that read the time and draw the same image in every frame.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Draw, quads_all_over};
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{Instant, SIZE};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::number::grouped;
 
-pub static RULE: Rule = Rule {
-    name: "static-picture",
-    group: Group::Runtime,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("static_picture.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { static_picture, Runtime, Info, Recommended, Run(check) }
 
 /// Times in seconds at which pixels are compared, without a mouse.
 const TIMES: [f64; 8] = [0.0, 0.13, 0.71, 2.3, 5.9, 10.7, 23.3, 43.1];

@@ -1,27 +1,17 @@
 //! Ray marching loops with more steps than the target renderer can afford.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_lint::march::{March, MarchGoal, way};
-use shaderlint_lint::{Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Context, Setting};
 use shaderlint_semantic::each_operand;
 use shaderlint_semantic::tunable::{TunableRange, range_after};
 use shaderlint_semantic::{FunctionRef, Resolution};
 use shaderlint_syntax::ast::ExprId;
 use shaderlint_text::Span;
 
-pub static RULE: Rule = Rule {
-    name: "step-budget",
-    group: Group::Budget,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[
-        RuleOption::Count(&MAIN),
-        RuleOption::Count(&SHADOW),
-        RuleOption::Count(&SUM),
-    ],
-    page: include_str!("step_budget.md"),
-    checks: &[Check::Program(check)],
-};
+rule! {
+    step_budget, Budget, Info, Recommended,
+    [Count(&MAIN), Count(&SHADOW), Count(&SUM)], Program(check)
+}
 
 static MAIN: Setting<u64> = Setting::new(
     "main",

@@ -1,20 +1,11 @@
 //! Marching loops that reach their step limit before they find a hit.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::{LoopFacts, RayKind};
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{Round, SampleRun};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::number::rounded_percent;
 
-pub static RULE: Rule = Rule {
-    name: "steps-exhausted",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("steps_exhausted.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { steps_exhausted, Runtime, Warning, Recommended, Run(check) }
 
 /// Loops with fewer steps take samples, and do not search.
 const LEAST_STEPS: u64 = 10;

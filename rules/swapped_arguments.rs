@@ -1,19 +1,11 @@
 //! Arguments in a different order than the parameters.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "swapped-arguments",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("swapped_arguments.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { swapped_arguments, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[a, b, c] = call.args else { return };

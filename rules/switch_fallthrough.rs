@@ -1,19 +1,11 @@
 //! `case` groups that fall through into the next one.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::Context;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
-pub static RULE: Rule = Rule {
-    name: "switch-fallthrough",
-    group: Group::Tidy,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("switch_fallthrough.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { switch_fallthrough, Tidy, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let tree = &cx.program.tree;

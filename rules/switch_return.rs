@@ -1,19 +1,10 @@
 //! `return` inside `switch`.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::each_inner;
 use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
 
-pub static RULE: Rule = Rule {
-    name: "switch-return",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("switch_return.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { switch_return, Portability, Info, Strict, Stmt(check) }
 
 fn check(cx: &mut Context, stmt: StmtId) {
     let program = cx.program;

@@ -1,21 +1,12 @@
 //! `texelFetch` of texels outside the texture.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::reaching_definitions::condition::{each_comparison, each_load};
 use shaderlint_ir::{OpId, OpKind, Provenance};
+use shaderlint_lint::Context;
 use shaderlint_lint::screen::along;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "texel-out-of-range",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("texel_out_of_range.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { texel_out_of_range, Portability, Info, Strict, Program(check) }
 
 /// Reports the first such lookup only; the others read the same neighbours.
 fn check(cx: &mut Context) {

@@ -1,21 +1,12 @@
 //! Texture coordinates that are discontinuous between neighbouring pixels.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Jump;
 use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{BuiltinId, Dialect, Pass, Stage};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "texture-seam",
-    group: Group::Portability,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("texture_seam.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { texture_seam, Portability, Info, Recommended, Program(check) }
 
 /// Reports each discontinuity at the first lookup that it reaches.
 fn check(cx: &mut Context) {

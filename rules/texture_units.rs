@@ -1,22 +1,13 @@
 //! Pixel coordinates passed to `texture`, and normalised coordinates passed to `texelFetch`.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Varying;
 use shaderlint_ir::OpKind;
 use shaderlint_lint::screen::along;
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "texture-units",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("texture_units.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { texture_units, Numeric, Warning, Recommended, Builtin(check) }
 
 fn check(cx: &mut Context, call: &Builtin) {
     let &[_, place, ..] = call.args else { return };

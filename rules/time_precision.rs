@@ -1,20 +1,11 @@
 //! Time multiplied by a factor so large that a `float` loses its precision.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Start;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RuleOption, RulePreset, Setting};
+use shaderlint_lint::{Builtin, Context, Setting};
 use shaderlint_semantic::BuiltinId;
 
-pub static RULE: Rule = Rule {
-    name: "time-precision",
-    group: Group::Numeric,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[RuleOption::Number(&FACTOR)],
-    page: include_str!("time_precision.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { time_precision, Numeric, Info, Strict, [Number(&FACTOR)], Builtin(check) }
 
 static FACTOR: Setting<f64> = Setting::new(
     "factor",

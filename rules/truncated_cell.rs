@@ -1,22 +1,14 @@
 //! Cell indices by truncation, combined with `fract` of the same value.
 
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_flow::is_same;
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::{ExprId, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "truncated-cell",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("truncated_cell.md"),
-    checks: &[Check::Expr(&[Shape::Construct], check)],
-};
+rule! { truncated_cell, Numeric, Warning, Recommended, Expr(&[Shape::Construct], check) }
 
 fn check(cx: &mut Context, id: ExprId) {
     let program = cx.program;

@@ -1,18 +1,9 @@
 //! Numbers outside the range documented in their comment.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::tunable::tunables;
 
-pub static RULE: Rule = Rule {
-    name: "tunable-range",
-    group: Group::Budget,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("tunable_range.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { tunable_range, Budget, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;

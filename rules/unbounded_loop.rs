@@ -1,19 +1,10 @@
 //! Loops without an upper bound on their iterations.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::Bound;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_syntax::ast::{Extent, StmtId};
 
-pub static RULE: Rule = Rule {
-    name: "unbounded-loop",
-    group: Group::Budget,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("unbounded_loop.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { unbounded_loop, Budget, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, stmt: StmtId) {
     let tree = &cx.program.tree;

@@ -1,25 +1,15 @@
 //! Constants with an undefined value, or too large for their type.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Builtin, Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{BinaryExpr, Builtin, Context, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar, Value};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 use shaderlint_text::number::significant;
 
-pub static RULE: Rule = Rule {
-    name: "undefined-constant",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("undefined_constant.md"),
-    checks: &[
-        Check::Builtin(check_call),
-        Check::Binary(check_overflow),
-        Check::Expr(&[Shape::FloatLiteral], check_literal),
-        Check::Expr(&[Shape::Construct], check_conversion),
-    ],
-};
+rule! {
+    undefined_constant, Numeric, Warning, Recommended,
+    Builtin(check_call), Binary(check_overflow), Expr(&[Shape::FloatLiteral], check_literal),
+    Expr(&[Shape::Construct], check_conversion)
+}
 
 const OVERFLOW: &str =
     "the largest `float` is about 3.4e38; larger values are infinity on most GPUs";

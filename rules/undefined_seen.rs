@@ -1,22 +1,13 @@
 //! Calls outside the domain of a built-in function that occurred in a sample run.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{FaultKind, NumberObservation};
 use shaderlint_ir::{OpId, OpKind};
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::OFTEN;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::BuiltinId;
 use shaderlint_text::number::decimals;
 
-pub static RULE: Rule = Rule {
-    name: "undefined-seen",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("undefined_seen.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { undefined_seen, Runtime, Warning, Recommended, Run(check) }
 
 fn check(cx: &mut Context) {
     let module = cx.facts.module();

@@ -1,21 +1,12 @@
 //! Uniforms that are read but do not affect the image.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{Bytecode, UniformSlot, quads_all_over};
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{Instant, Press, SIZE};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Storage, VariableId};
 use shaderlint_text::number::grouped;
 
-pub static RULE: Rule = Rule {
-    name: "uniform-without-effect",
-    group: Group::Runtime,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("uniform_without_effect.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { uniform_without_effect, Runtime, Info, Recommended, Run(check) }
 
 /// Values to which all components of a user-defined uniform are set.
 const VALUES: [f64; 7] = [0.0, 1.0, 0.5, -1.0, 2.0, 10.0, 100.0];

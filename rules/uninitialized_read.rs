@@ -1,22 +1,14 @@
 //! Variables that are read before they are assigned.
 
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Fix, Severity};
+use shaderlint_diagnostic::Fix;
 use shaderlint_flow::{PartMask, UnassignedVariable};
-use shaderlint_lint::{Check, Context, Finding, Group, Rule, RulePreset};
+use shaderlint_lint::{Context, Finding};
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable, VariableId};
 use shaderlint_syntax::ast::{BinaryOp, ExprKind};
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "uninitialized-read",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("uninitialized_read.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { uninitialized_read, Numeric, Warning, Recommended, Function(check) }
 
 /// The alpha channel of a colour.
 const ALPHA: PartMask = 1 << 3;

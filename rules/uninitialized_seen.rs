@@ -1,21 +1,12 @@
 //! Images that depend on a variable that was never assigned.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::UnassignedVariable;
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::SampleRun;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_text::number::rounded_percent;
 
-pub static RULE: Rule = Rule {
-    name: "uninitialized-seen",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("uninitialized_seen.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { uninitialized_seen, Runtime, Warning, Recommended, Run(check) }
 
 /// Most variables that are compared one by one.
 const MAX_SUSPECTS: usize = 8;

@@ -1,20 +1,11 @@
 //! `case` labels outside the range of the selector.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::given::depends_on_callers;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::{Storage, Value};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "unreachable-case",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("unreachable_case.md"),
-    checks: &[Check::Stmt(check)],
-};
+rule! { unreachable_case, Numeric, Warning, Recommended, Stmt(check) }
 
 fn check(cx: &mut Context, id: StmtId) {
     let program = cx.program;

@@ -1,22 +1,13 @@
 //! Thresholds that a height, or another quantity, never reaches in a sample run.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::{ComparisonObservation, Watch};
 use shaderlint_ir::{Module, Op, OpId, OpKind};
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{SampleFrame, SampleRun};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_semantic::Type;
 use shaderlint_text::number::grouped;
 
-pub static RULE: Rule = Rule {
-    name: "unreachable-height",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("unreachable_height.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { unreachable_height, Runtime, Warning, Recommended, Run(check) }
 
 /// Fewest sampled comparisons that count as evidence.
 const LEAST: u64 = 125;

@@ -1,19 +1,10 @@
 //! Subtractions of unsigned integers that underflow.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{BinaryExpr, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{BinaryExpr, Context};
 use shaderlint_semantic::Scalar;
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "unsigned-underflow",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("unsigned_underflow.md"),
-    checks: &[Check::Binary(check)],
-};
+rule! { unsigned_underflow, Numeric, Warning, Recommended, Binary(check) }
 
 fn check(cx: &mut Context, e: &BinaryExpr) {
     let program = cx.program;

@@ -1,19 +1,11 @@
 //! Functions that are never called.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_statement};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, remove_statement};
 use shaderlint_semantic::{FunctionRef, starts_a_shader};
 use shaderlint_syntax::ast::{DeclKind, Extent, FunctionDecl};
 
-pub static RULE: Rule = Rule {
-    name: "unused-function",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("unused_function.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { unused_function, Tidy, Info, Strict, Function(check) }
 
 fn check(cx: &mut Context, id: FunctionRef) {
     let program = cx.program;

@@ -1,19 +1,11 @@
 //! Macros that are never used.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, remove_lines};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, remove_lines};
 use shaderlint_syntax::Macro;
 use shaderlint_text::{Edit, Span};
 
-pub static RULE: Rule = Rule {
-    name: "unused-macro",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("unused_macro.md"),
-    checks: &[Check::Macro(check)],
-};
+rule! { unused_macro, Tidy, Info, Strict, Macro(check) }
 
 fn check(cx: &mut Context, definition: &Macro) {
     let program = cx.program;

@@ -1,19 +1,10 @@
 //! Parameters that the function never uses.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_semantic::{Direction, FunctionRef, Storage, starts_a_shader};
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "unused-parameter",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Strict,
-    options: &[],
-    page: include_str!("unused_parameter.md"),
-    checks: &[Check::Function(check)],
-};
+rule! { unused_parameter, Tidy, Info, Strict, Function(check) }
 
 fn check(cx: &mut Context, function: FunctionRef) {
     let program = cx.program;

@@ -1,21 +1,11 @@
 //! Uniforms that are declared but never read.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{
-    Check, Context, DeclaredVariable, Group, Rule, RulePreset, remove_declaration,
-};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, DeclaredVariable, remove_declaration};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "unused-uniform",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("unused_uniform.md"),
-    checks: &[Check::Declaration(check)],
-};
+rule! { unused_uniform, Tidy, Info, Recommended, Declaration(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;

@@ -1,22 +1,12 @@
 //! Variables that are never read.
 
-use shaderlint_diagnostic::{Fix, Severity};
-use shaderlint_lint::{
-    Check, Context, DeclaredVariable, Group, Rule, RulePreset, remove_declaration, remove_statement,
-};
+use shaderlint_diagnostic::Fix;
+use shaderlint_lint::{Context, DeclaredVariable, remove_declaration, remove_statement};
 use shaderlint_semantic::Storage;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::Edit;
 
-pub static RULE: Rule = Rule {
-    name: "unused-variable",
-    group: Group::Tidy,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("unused_variable.md"),
-    checks: &[Check::Declaration(check)],
-};
+rule! { unused_variable, Tidy, Info, Recommended, Declaration(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;

@@ -1,22 +1,13 @@
 //! `clamp`, `min` and `max` that never change their value, or always replace it.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::ranges::Interval;
 use shaderlint_ir::OpKind;
 use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
-use shaderlint_lint::{Builtin, Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::{Builtin, Context};
 use shaderlint_semantic::{BuiltinId, Storage};
 use shaderlint_syntax::ast::*;
 
-pub static RULE: Rule = Rule {
-    name: "useless-clamp",
-    group: Group::Numeric,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("useless_clamp.md"),
-    checks: &[Check::Builtin(check)],
-};
+rule! { useless_clamp, Numeric, Info, Recommended, Builtin(check) }
 
 /// How often a bound changes a value.
 #[derive(Clone, Copy, PartialEq, Eq)]

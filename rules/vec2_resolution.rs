@@ -1,19 +1,10 @@
 //! `uniform vec2 iResolution`.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, DeclaredVariable, Group, Rule, RulePreset};
+use shaderlint_lint::{Context, DeclaredVariable};
 use shaderlint_semantic::{Scalar, Storage, Type};
 use shaderlint_syntax::ast::Extent;
 
-pub static RULE: Rule = Rule {
-    name: "vec2-resolution",
-    group: Group::Webgl2,
-    severity: Severity::Info,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("vec2_resolution.md"),
-    checks: &[Check::Declaration(check)],
-};
+rule! { vec2_resolution, Webgl2, Info, Recommended, Declaration(check) }
 
 fn check(cx: &mut Context, declared: &DeclaredVariable) {
     let program = cx.program;

@@ -1,19 +1,10 @@
 //! One matrix multiplied by vectors from both sides.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_flow::is_same;
 use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 
-pub static RULE: Rule = Rule {
-    name: "vector-times-matrix",
-    group: Group::Numeric,
-    severity: Severity::Info,
-    preset: RulePreset::All,
-    options: &[],
-    page: include_str!("vector_times_matrix.md"),
-    checks: &[Check::Program(check)],
-};
+rule! { vector_times_matrix, Numeric, Info, All, Program(check) }
 
 /// Most products `m * v` that each `v * m` is compared with.
 const MOST: usize = 64;

@@ -1,19 +1,10 @@
 //! Images that are brighter than white nearly everywhere.
 
-use shaderlint_diagnostic::Severity;
+use shaderlint_lint::Context;
 use shaderlint_lint::sample::{SampleRun, is_too_bright, share};
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
 use shaderlint_text::number::rounded_percent;
 
-pub static RULE: Rule = Rule {
-    name: "washed-out",
-    group: Group::Runtime,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("washed_out.md"),
-    checks: &[Check::Run(check)],
-};
+rule! { washed_out, Runtime, Warning, Recommended, Run(check) }
 
 /// Smallest share of pixels that are too bright.
 const MOST: f64 = 0.9;

@@ -1,20 +1,11 @@
 //! `#version 300 es` in a page that requests a WebGL1 context.
 
-use shaderlint_diagnostic::Severity;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset};
+use shaderlint_lint::Context;
 use shaderlint_syntax::{Version, WebGl};
 
-/// Compares the version of the shader with the `getContext` call of its page. If the page compiles the shader
-/// itself, `unsupported-version` reports it.
-pub static RULE: Rule = Rule {
-    name: "webgl1-context",
-    group: Group::Webgl2,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("webgl1_context.md"),
-    checks: &[Check::Program(check)],
-};
+// Compares the version of the shader with the `getContext` call of its page. If the page compiles the shader
+// itself, `unsupported-version` reports it.
+rule! { webgl1_context, Webgl2, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let Some(span) = cx.program.tokens.version_span else {

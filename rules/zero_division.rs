@@ -1,24 +1,15 @@
 //! Division by zero.
 
-use shaderlint_diagnostic::Severity;
 use shaderlint_exec::FaultKind;
 use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Check, Context, Group, Rule, RulePreset, Shape};
+use shaderlint_lint::{Context, Shape};
 use shaderlint_semantic::{BuiltinId, Scalar};
 use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
-pub static RULE: Rule = Rule {
-    name: "zero-division",
-    group: Group::Numeric,
-    severity: Severity::Warning,
-    preset: RulePreset::Recommended,
-    options: &[],
-    page: include_str!("zero_division.md"),
-    checks: &[Check::Expr(
-        &[Shape::Binary, Shape::Assign, Shape::Call],
-        check,
-    )],
-};
+rule! {
+    zero_division, Numeric, Warning, Recommended,
+    Expr(&[Shape::Binary, Shape::Assign, Shape::Call], check)
+}
 
 fn check(cx: &mut Context, id: ExprId) {
     let (op, divisor) = match cx.program.tree.expr(id).kind {

@@ -149,7 +149,7 @@ fn rules_new_creates_a_sorted_rule_and_page() {
         "the group does not exist"
     );
     let read = |file: &str| folder.read(&format!("rules/{file}"));
-    assert!(read("even_odds.rs").contains("group: Group::Numeric,"));
+    assert!(read("even_odds.rs").contains("rule! { even_odds, Numeric, "));
     assert!(Page::new(&read("even_odds.md")).name == "even-odds");
     let list = read("lib.rs");
     for (before, after) in [("    &", "::RULE,"), ("mod ", ";")] {

@@ -39,7 +39,7 @@ pub use option::{OptionType, OptionValue, RuleOption, Setting};
 pub use page::{Fence, FenceKind, Page};
 pub use rule::{
     ALIASES, BinaryExpr, Builtin, Check, DeclaredName, DeclaredVariable, Group, Named, Rule,
-    RulePreset, Shape, rule_name,
+    RulePreset, Shape, kebab, rule_name,
 };
 pub use run::{SkippedRules, lint, lint_within};
 pub use same::{code_hash, same_code};

@@ -251,6 +251,19 @@ pub fn rule_name(word: &str) -> &str {
     alias.map_or(word, |(_, name)| name)
 }
 
+/// The name of a rule whose module has this name, which is of the same length: with `-` for `_`.
+pub const fn kebab<const N: usize>(name: &str) -> [u8; N] {
+    let mut kebab = [b'-'; N];
+    let (mut from, mut to) = (name.as_bytes(), kebab.as_mut_slice());
+    while let ([byte, rest @ ..], [place, after @ ..]) = (from, to) {
+        if *byte != b'_' {
+            *place = *byte;
+        }
+        (from, to) = (rest, after);
+    }
+    kebab
+}
+
 impl Rule {
     /// Its alias, if it has one.
     pub fn alias(&self) -> Option<&'static str> {
