@@ -1,90 +1,152 @@
 //! Shaders in fenced code blocks of Markdown.
 
 use super::DocumentLanguage;
+use super::changes;
 use super::embedded::{Embedded, Wrapping, left_out};
 use super::modules::NoModules;
 use super::{component, holes, html, kdl, script};
 use crate::kind::Evidence;
+use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
+use std::borrow::Cow;
+use std::ops::Range;
 
-/// Finds the shaders.
-pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
-    let mut open: Option<OpenFence> = None;
-    let mut at = 0;
+/// Number of bytes at the start of a line that may open quotations and lists.
+const MAX_NESTING: usize = 100;
+
+/// Finds the shaders in a file of this name.
+pub fn extract(name: &str, text: &str, found: &mut Vec<Embedded>) {
     let mut chapter = 0;
-    for line in text.split_inclusive('\n') {
-        let start = at;
-        at += line.len();
-        let quoted = line.trim_start_matches(['>', ' ', '\t']);
-        let mark = quoted.chars().next().unwrap_or(' ');
-        let count = quoted.chars().take_while(|c| *c == mark).count();
-        let is_mark = matches!(mark, '`' | '~') && count >= 3;
-        let info = quoted.get(count..).unwrap_or("").trim();
-        match &open {
-            Some(fence)
-                if is_mark && mark == fence.mark && count >= fence.count && info.is_empty() =>
-            {
-                take(text, fence, start, base, found);
-                open = None;
+    let mut open: Option<MarkdownFence> = None;
+    let is_mdx = name.to_ascii_lowercase().ends_with(".mdx");
+    let structure = structure(text, is_mdx);
+    for (event, range) in Parser::new(&structure).into_offset_iter() {
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                chapter += u32::from(level <= HeadingLevel::H2);
             }
-            None if is_mark && !info.contains('`') => {
-                let label = info
-                    .split([' ', ',', '{', '}', ':'])
-                    .find(|w| !w.is_empty());
-                open = Some(OpenFence {
-                    mark,
-                    count,
-                    label: label
-                        .unwrap_or("")
-                        .trim_start_matches('.')
-                        .to_ascii_lowercase(),
-                    start: at,
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => {
+                open = Some(MarkdownFence {
+                    label: label(&info),
+                    lines: Vec::new(),
                     chapter,
                 });
             }
-            None if line.starts_with("# ") || line.starts_with("## ") => chapter += 1,
+            Event::Text(_) => open.iter_mut().for_each(|f| f.lines.push(range.clone())),
+            Event::End(TagEnd::CodeBlock) => {
+                if let Some(fence) = open.take() {
+                    take(text, &fence, found);
+                }
+            }
             _ => {}
         }
     }
-    if let Some(fence) = open {
-        take(text, &fence, text.len(), base, found);
-    }
 }
 
-struct OpenFence {
-    mark: char,
-    count: usize,
+/// The text for the parser, with the same length.
+///
+/// The elements of MDX are no blocks of HTML: there may be fences in them. And the parser looks at all
+/// lists around each line, so that a line with thousands of them would cost as much in all lines after it.
+fn structure(text: &str, is_mdx: bool) -> Cow<'_, str> {
+    let is_start = |c: char| {
+        matches!(
+            c,
+            ' ' | '\t' | '>' | '-' | '+' | '*' | '.' | ')' | '0'..='9'
+        )
+    };
+    let is_nested = |line: &str| line.find(|c| !is_start(c)).unwrap_or(line.len()) > MAX_NESTING;
+    if !is_mdx && !text.lines().any(is_nested) {
+        return Cow::Borrowed(text);
+    }
+    let mut changed = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let start = line.find(|c| !is_start(c)).unwrap_or(line.len());
+        let mut chars = line.char_indices().peekable();
+        while let Some((at, c)) = chars.next() {
+            let ends = chars.peek().is_none_or(|(_, next)| next.is_whitespace());
+            let opens = c == '>' || ends && matches!(c, '-' | '+' | '*' | '.' | ')');
+            let is_deep = (MAX_NESTING..start).contains(&at) && opens;
+            let is_markup = is_mdx && c == '<';
+            changed.push(if is_deep || is_markup { 'x' } else { c });
+        }
+    }
+    Cow::Owned(changed)
+}
+
+/// A fenced code block.
+struct MarkdownFence {
     label: String,
-    start: usize,
+    /// Where its text is: without the marks of quotations and the indentation of lists.
+    lines: Vec<Range<usize>>,
     chapter: u32,
 }
 
-fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<Embedded>) {
-    let Some(content) = text.get(fence.start..end) else {
-        return;
-    };
-    let start = base + fence.start;
-    let label = fence.label.as_str();
-    if let Some(language) = language_of(label) {
-        return match language {
-            DocumentLanguage::Html => html::extract(content, start, &NoModules, found),
-            DocumentLanguage::Script => script::extract(content, start, false, &NoModules, found),
-            DocumentLanguage::Component => component::extract(content, start, &NoModules, found),
-            DocumentLanguage::Markdown => extract(content, start, found),
-            DocumentLanguage::Kdl => kdl::extract(content, start, found),
-        };
+/// The text of a fence.
+struct FenceText {
+    /// Offset of its first line in the file.
+    start: usize,
+    /// Its lines with the length that they have in the file: what does not belong to them is blank.
+    code: String,
+    /// Its lines as they are shown.
+    shown: String,
+}
+
+impl MarkdownFence {
+    fn read(&self, text: &str) -> Option<FenceText> {
+        let first = self.lines.first()?.start;
+        let start = text.get(..first)?.rfind('\n').map_or(0, |at| at + 1);
+        let (mut code, mut shown) = (String::new(), String::new());
+        let mut at = start;
+        for line in &self.lines {
+            let before = text.get(at..line.start)?;
+            code.extend(before.bytes().map(|b| match b {
+                b'\n' | b'\r' | b'\t' => char::from(b),
+                _ => ' ',
+            }));
+            let own = text.get(line.clone())?;
+            code.push_str(own);
+            shown.push_str(own);
+            at = line.end;
+        }
+        Some(FenceText { start, code, shown })
     }
+}
+
+/// The language that the first line of a fence names.
+fn label(info: &str) -> String {
+    let is_between = |c: char| c.is_whitespace() || matches!(c, ',' | '{' | '}' | ':');
+    let mut words = info.split(is_between).filter(|word| !word.is_empty());
+    let word = words.next().unwrap_or("");
+    word.trim_start_matches('.').to_ascii_lowercase()
+}
+
+fn take(text: &str, fence: &MarkdownFence, found: &mut Vec<Embedded>) {
+    let label = fence.label.as_str();
+    let language = language_of(label);
     let is_named = matches!(
         label,
         "glsl" | "frag" | "vert" | "fragment" | "vertex" | "webgl" | "shadertoy"
     );
-    let is_diff = label == "diff" || is_named && is_diff(content);
-    let changed = is_diff.then(|| renewed(content));
-    let content = changed.as_deref().unwrap_or(content);
-    let is_glsl = match label {
-        _ if is_named => true,
-        "" | "c" | "cpp" | "c++" | "shader" | "text" | "diff" => Evidence::of(content).is_glsl(),
-        _ => false,
+    let is_any = matches!(label, "" | "c" | "cpp" | "c++" | "shader" | "text" | "diff");
+    if language.is_none() && !is_named && !is_any {
+        return;
+    }
+    let Some(FenceText { start, code, shown }) = fence.read(text) else {
+        return;
     };
+    let changed = changes::renewed(&shown, &code, label == "diff");
+    let content = changed.unwrap_or(code);
+    let content = content.as_str();
+    if let Some(language) = language {
+        return match language {
+            DocumentLanguage::Html => html::extract(content, start, &NoModules, found),
+            DocumentLanguage::Script => script::extract(content, start, false, &NoModules, found),
+            DocumentLanguage::Component => component::extract(content, start, &NoModules, found),
+            DocumentLanguage::Kdl => kdl::extract(content, start, found),
+            // A document that shows how to write documents.
+            DocumentLanguage::Markdown => {}
+        };
+    }
+    let is_glsl = is_named || Evidence::of(content).is_glsl();
     if !is_glsl || content.trim().is_empty() {
         return;
     }
@@ -117,69 +179,25 @@ fn take(text: &str, fence: &OpenFence, end: usize, base: usize, found: &mut Vec<
 fn language_of(label: &str) -> Option<DocumentLanguage> {
     match label {
         "javascript" | "typescript" => Some(DocumentLanguage::Script),
-        "md" | "markdown" => None,
         _ => DocumentLanguage::of_extension(label),
     }
 }
 
-/// Whether a GLSL fence shows a diff: lines start with `+` or `-` and do not continue an
-/// expression.
-fn is_diff(content: &str) -> bool {
-    let mut is_open = false;
-    let mut changes = 0;
-    for line in content.lines() {
-        let code = line.split("//").next().unwrap_or("").trim_end();
-        let mark = line.chars().next().filter(|c| matches!(c, '+' | '-'));
-        if let Some(mark) = mark {
-            // `++i;` is a statement.
-            if is_open || line.chars().nth(1) == Some(mark) {
-                return false;
-            }
-            changes += 1;
-        } else if !code.is_empty() {
-            let ends = code.ends_with([';', '{', '}', '/', ':']) || line.trim().starts_with('#');
-            is_open = !ends;
-        }
-    }
-    changes > 0
-}
-
-/// The text after a diff, with the same length: removed lines are blank.
-fn renewed(content: &str) -> String {
-    let mut text = String::with_capacity(content.len());
-    for line in content.split_inclusive('\n') {
-        if line.starts_with(['-', '@']) || line.starts_with("+++") {
-            text.extend(line.bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }));
-        } else if let Some(rest) = line.strip_prefix('+') {
-            text.push(' ');
-            text.push_str(rest);
-        } else {
-            text.push_str(line);
-        }
-    }
-    text
-}
-
-/// Replaces quotation marks at the start of lines, and `...`, with blanks.
+/// Replaces `...` with blanks.
 fn mask(content: &str) -> String {
     let mut code = String::with_capacity(content.len());
-    for line in content.split_inclusive('\n') {
-        let quote = line.len() - line.trim_start_matches(['>', ' ', '\t']).len();
-        let (before, rest) = line.split_at_checked(quote).unwrap_or(("", line));
-        code.push_str(&before.replace('>', " "));
-        let mut rest = rest;
-        while let Some(at) = rest.find(['.', '\u{2026}']) {
-            let (before, after) = rest.split_at_checked(at).unwrap_or((rest, ""));
-            code.push_str(before);
-            let is_left_out = after.starts_with("...") || after.starts_with('\u{2026}');
-            let length = if is_left_out { 3 } else { 1 };
-            let (dots, more) = after.split_at_checked(length).unwrap_or((after, ""));
-            let shown = if is_left_out { left_out(&code) } else { dots };
-            code.push_str(shown);
-            rest = more;
-        }
-        code.push_str(rest);
+    let mut rest = content;
+    while let Some(at) = rest.find(['.', '\u{2026}']) {
+        let (before, after) = rest.split_at_checked(at).unwrap_or((rest, ""));
+        code.push_str(before);
+        let is_left_out = after.starts_with("...") || after.starts_with('\u{2026}');
+        let length = if is_left_out { 3 } else { 1 };
+        let (dots, more) = after.split_at_checked(length).unwrap_or((after, ""));
+        let shown = if is_left_out { left_out(&code) } else { dots };
+        code.push_str(shown);
+        rest = more;
     }
+    code.push_str(rest);
     code
 }
 
@@ -187,53 +205,65 @@ fn mask(content: &str) -> String {
 mod tests {
     use super::*;
 
-    fn codes(text: &str) -> Vec<String> {
+    fn read(name: &str, text: &str) -> Vec<Embedded> {
         let mut found = Vec::new();
-        extract(text, 0, &mut found);
+        extract(name, text, &mut found);
         for shader in &found {
-            assert!(text.get(shader.start..shader.end()).is_some());
+            let original = text.get(shader.start..shader.end()).unwrap();
+            let breaks = |text: &str| text.bytes().map(|b| b == b'\n').collect::<Vec<_>>();
+            assert_eq!(breaks(original), breaks(&shader.code), "{text}");
         }
-        found.into_iter().map(|s| s.code).collect()
+        found
+    }
+
+    /// The codes of a text, each with the number of its chapter.
+    fn codes(name: &str, text: &str) -> String {
+        let found = read(name, text).into_iter();
+        let shown = found.map(|shader| match shader.chapter {
+            0 => shader.code,
+            chapter => format!("{chapter} {}", shader.code),
+        });
+        shown.collect::<Vec<_>>().join(" | ")
     }
 
     #[test]
-    fn only_fences_with_glsl_are_read() {
-        let text = "```glsl\na\n```\n\n```\nvec3 c = vec2(1);\n```\n```python\nvec3 = vec2\n```\n~~~c\nint main() {}\n~~~\n";
-        assert_eq!(codes(text), ["a\n", "vec3 c = vec2(1);\n"]);
-    }
-
-    #[test]
-    fn quoted_and_unclosed_fences_are_read() {
-        assert_eq!(codes("> ```glsl\n> x ... y\n> ```\n"), ["  x     y\n"]);
-        assert_eq!(codes("````glsl\n```\nx\n"), ["```\nx\n"]);
-    }
-
-    #[test]
-    fn diffs_are_read_as_the_code_after_the_change() {
-        assert_eq!(
-            codes("```diff\n vec3 a;\n-vec3 b = vec3(1);\n+vec3 c = vec3(1);\n```\n"),
-            [" vec3 a;\n                  \n vec3 c = vec3(1);\n"]
-        );
-        assert_eq!(
-            codes("```glsl\nfloat a;\n-b;\n+c;\n```\n```glsl\nfloat a = b\n+ c;\n++a;\n```\n"),
-            ["float a;\n   \n c;\n", "float a = b\n+ c;\n++a;\n"]
-        );
-        assert_eq!(codes("```diff\n-npm i a\n+npm i b\n```\n"), [""; 0]);
+    fn fences_are_read_as_markdown_shows_them() {
+        let visible = |text: &str| {
+            text.replace('\n', "↵")
+                .replace('\t', "⇥")
+                .replace('\r', "␍")
+        };
+        let cases = include_str!("markdown.txt").lines();
+        for case in cases.filter(|case| !case.starts_with("# ")) {
+            let (text, expected) = case.split_once(" ⇒ ").unwrap();
+            let (name, text) = match text.strip_prefix("mdx ") {
+                Some(text) => ("a.mdx", text),
+                None => ("a.md", text),
+            };
+            let text = text
+                .replace('↵', "\n")
+                .replace('⇥', "\t")
+                .replace('␍', "\r");
+            let shown = visible(&codes(name, &text));
+            assert_eq!(shown, expected.trim_start_matches("none"), "{case}");
+        }
     }
 
     #[test]
     fn template_expressions_in_fences_are_holes() {
-        let mut found = Vec::new();
-        extract("```glsl\nfloat a = {{ b }};\n```\n", 0, &mut found);
+        let found = read("", "```glsl\nfloat a = {{ b }};\n```\n");
         assert!(found[0].has_holes && found[0].code == "float a = hhhhhhh;\n");
     }
 
     #[test]
-    fn shaders_in_script_fences_are_read() {
-        let text = "```js\nconst a = `#version 300 es\nx\n`;\n```\n```glsl\nconst b = `#version 300 es\nx\n`;\n```\n";
-        assert_eq!(
-            codes(text),
-            ["#version 300 es\nx\n", "#version 300 es\nx\n"]
-        );
+    fn deep_nesting_is_read_as_text() {
+        let line = "- > 1. ".repeat(1000);
+        let read = structure(&line, false);
+        assert_eq!(read.len(), line.len());
+        assert!(read.find('x').is_some_and(|at| (100..110).contains(&at)));
+        assert!(!read[110..].contains(['-', '>', '.']));
+        // A rule of many dashes is none.
+        let rule = format!("{}\n", "-".repeat(1000));
+        assert!(structure(&rule, false).matches('x').count() <= 1);
     }
 }

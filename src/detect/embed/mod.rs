@@ -4,6 +4,7 @@
 //! of the outer language is blank. So offsets in a shader are offsets in the file. Escape sequences
 //! are decoded (`\n` is a line break), and `${...}` is replaced by an undeclared name.
 
+mod changes;
 mod component;
 mod context;
 mod embedded;
@@ -70,7 +71,7 @@ pub fn extract_with(
             );
         }
         DocumentLanguage::Component => component::extract(text, 0, modules, &mut found),
-        DocumentLanguage::Markdown => markdown::extract(text, 0, &mut found),
+        DocumentLanguage::Markdown => markdown::extract(name, text, &mut found),
         DocumentLanguage::Kdl => kdl::extract(text, 0, &mut found),
     }
     found.iter_mut().for_each(Embedded::leave_out);
