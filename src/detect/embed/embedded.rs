@@ -49,10 +49,20 @@ impl Embedded {
             Wrapping::Template => !text.contains(['`', '\\', '$']),
             Wrapping::Quotes => !text.contains(['"', '\'', '\\', '\n', '\r']),
             Wrapping::Raw => !text.contains('"'),
-            Wrapping::Fence => !text.contains("```"),
+            Wrapping::Fence => {
+                let is_line_added = text.contains(['\n', '\r']);
+                !(text.contains("```") || is_line_added && self.is_prefixed(outer))
+            }
             Wrapping::Listing => !text.contains(['<', '&']),
         };
         fits && self.is_verbatim(outer, edit.span)
+    }
+
+    /// Whether something precedes each line of its fence: the marks of a quotation, or the indentation
+    /// of a list.
+    fn is_prefixed(&self, outer: &str) -> bool {
+        let before = outer.get(..self.start).and_then(|text| text.lines().last());
+        before.is_some_and(|fence| !fence.starts_with(['`', '~']))
     }
 
     /// Whether a span, relative to the start of `outer`, is literal GLSL without interpolation.

@@ -95,4 +95,17 @@ mod tests {
         assert!(!shader.admits(text, &edit(at("\\n"), at("\\n") + 2, "")));
         assert!(!shader.admits(text, &edit(0, 1, "y")));
     }
+
+    #[test]
+    fn lines_are_added_only_to_fences_at_the_start_of_the_line() {
+        let admits = |text: &str| {
+            let found = extract(DocumentLanguage::Markdown, text);
+            let at = text.find("a;").unwrap() as u32;
+            let edit = |with: &str| Edit::replace(Span::new(at, at + 1), with);
+            ["b", "b\n"].map(|with| found[0].admits(text, &edit(with)))
+        };
+        assert_eq!(admits("b\n```glsl\na;\n```\n"), [true, true]);
+        assert_eq!(admits("- b\n  ```glsl\n  a;\n  ```\n"), [true, false]);
+        assert_eq!(admits("> ```glsl\n> a;\n> ```\n"), [true, false]);
+    }
 }
