@@ -348,25 +348,6 @@ mod tests {
     }
 
     #[test]
-    fn glsl_with_mistakes_is_still_glsl() {
-        for mistake in [
-            "let x = 1.0;\nvar y = 2;\nprint(x);",
-            "float3 c = lerp(a, b, saturate(t));",
-            "printf(\"x\");\nreturn x as float;",
-            "def f(x):\nelif x:",
-            "int main() {}",
-        ] {
-            let text = format!("uniform float t;\n{mistake}\n{GLSL}");
-            check("a.glsl", &text, "shader: the extension indicates GLSL");
-        }
-        check(
-            "a.glsl",
-            "float f(float x) { return lerp(0.0, saturate(x), 1.0); }",
-            "shader: the extension indicates GLSL",
-        );
-    }
-
-    #[test]
     fn directives_of_shader_bundles_are_recognised() {
         assert_eq!(
             own_directive("@export a.b\nvoid main() {}\n@end"),
@@ -417,23 +398,6 @@ mod tests {
                 let decision = decide("a.glsl", &text, Claim::None);
                 assert_eq!(decision.kind, FileKind::Shader, "{text}");
             }
-        }
-    }
-
-    #[test]
-    fn engine_names_that_the_shader_declares_are_ignored() {
-        for own in [
-            "#define TDOutputSwizzle(c) (c)\nvec4 f(vec4 c) { return TDOutputSwizzle(c); }",
-            "vec4 TDOutputSwizzle(vec4 c) { return c; }",
-            "uniform sampler2D sTD2DInputs[2];",
-            "float COLOR = 1.0; vec3 ALBEDO = vec3(1);",
-            "//!HOOK LUMA\nfloat hook(float x) { return x; }",
-            "uniform vec4 SourceSize; uniform int FrameCount;",
-            "struct pass { float a; };",
-        ] {
-            let text = format!("{own}\n{GLSL}");
-            let decision = decide("a.glsl", &text, Claim::None);
-            assert_eq!(decision.kind, FileKind::Shader, "{text}");
         }
     }
 
