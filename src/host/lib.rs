@@ -21,7 +21,10 @@ mod near;
 mod preset;
 mod template;
 
-pub use chunk::{HostChunk, chunk_names, chunk_prelude, is_chunk, was_in_chunk};
+pub use chunk::{
+    ChunkLibrary, HostChunk, chunk_libraries, chunk_names, chunk_prelude, is_chunk, predecessor,
+    was_in_chunk,
+};
 pub use limit::Limit;
 pub use meaning::{
     COMMON, Feed, FeedRow, Meanings, OWN, TextureFeed, TextureRow, USUAL, VaryingRow, is_named,

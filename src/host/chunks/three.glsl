@@ -1,15 +1,29 @@
-// What the chunks of three.js declare, set and read.
+// What the chunks of three.js declare, set and read, and which releases have them.
 //
 // A chunk starts with its name after `//#`. One in a function is given by its effects: `vec3 a;` is a variable it
 // declares and sets, `sets a b` and `reads a b` are variables of the code around it. `once a b` are names
 // that releases before this one declared there. The functions of the others have no bodies.
 //
-// source: three 0.187.0 and nine releases from 0.90.0 on, src/renderers/shaders/ShaderChunk
+// `from 154` is the first release that has a chunk, `until 153` the last one. `until 153 a 163`: the next release
+// has the same text as `a`, and the releases up to 163 insert that for the old name, with a warning. The
+// shaders of whole materials (`meshbasic_frag`), which three.js keeps in the same object, are not listed.
+//
+// The release is the middle number of the version of `package`. In addresses of its scripts, one of the texts of
+// `cited` stands before it. Programs read it as `asked` and add chunks to `registry`.
+//
+// source: three 0.187.0 and nine releases from 0.90.0 on, src/renderers/shaders/ShaderChunk; for `from` and `until`
+// the first version of every release from 0.90.0 to 0.187.0, and src/renderers/webgl/WebGLProgram.js
+// package: three
+// cited: three@0. three@^0. three@~0. three.js/0. three.js/r three.js@r
+// asked: REVISION
+// registry: ShaderChunk
 //# alphahash_fragment
+from 154
 #ifdef USE_ALPHAHASH
 reads diffuseColor vPosition
 #endif
 //# alphahash_pars_fragment
+from 154
 #ifdef USE_ALPHAHASH
 const float ALPHA_HASH_SCALE = 0.05;
 float hash2D( vec2 value );
@@ -35,6 +49,7 @@ reads diffuseColor alphaTest
 #endif
 #endif
 //# alphatest_pars_fragment
+from 132
 #ifdef USE_ALPHATEST
 uniform float alphaTest;
 #endif
@@ -63,6 +78,7 @@ uniform sampler2D aoMap;
 uniform float aoMapIntensity;
 #endif
 //# batching_pars_vertex
+from 159
 #ifdef USE_BATCHING
 #if ! defined( GL_ANGLE_multi_draw )
 #define gl_DrawID _gl_DrawID
@@ -79,6 +95,7 @@ vec4 getBatchingColor( const in float i );
 #endif
 once batchId
 //# batching_vertex
+from 159
 #ifdef USE_BATCHING
 mat4 batchingMatrix;
 reads gl_DrawID
@@ -115,11 +132,13 @@ vec2 dHdxy_fwd();
 vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection );
 #endif
 //# clearcoat_normal_fragment_begin
+from 108
 #ifdef USE_CLEARCOAT
 vec3 clearcoatNormal;
 reads nonPerturbedNormal
 #endif
 //# clearcoat_normal_fragment_maps
+from 108
 #ifdef USE_CLEARCOAT_NORMALMAP
 vec3 clearcoatMapN;
 sets clearcoatMapN clearcoatNormal
@@ -127,8 +146,11 @@ reads clearcoatNormalMap vClearcoatNormalMapUv clearcoatNormalScale tbn2
 #endif
 once mapN vTBN
 //# clearcoat_normalmap_pars_fragment
+from 108
+until 114
 once clearcoatNormalMap clearcoatNormalScale
 //# clearcoat_pars_fragment
+from 115
 #ifdef USE_CLEARCOATMAP
 uniform sampler2D clearcoatMap;
 #endif
@@ -213,8 +235,10 @@ reads gl_DrawID
 #endif
 once batchingColor
 //# colorspace_fragment
+from 154
 sets gl_FragColor
 //# colorspace_pars_fragment
+from 154
 vec4 LinearTransferOETF( in vec4 value );
 vec4 sRGBTransferEOTF( in vec4 value );
 vec4 sRGBTransferOETF( in vec4 value );
@@ -261,6 +285,7 @@ once GeometricContext LOG2 bicubic clearcoatNormal g0 g1 h0 h1 linePlaneIntersec
 once luminance normal position projectOnPlane sideOfPlane textureBicubic transposeMat3 viewDir w0 w1 w2 w3
 once whiteCompliment
 //# cube_uv_reflection_fragment
+until 186
 once MipLevelInfo bilinearCubeUV cubeUV_m0 cubeUV_m1 cubeUV_m4 cubeUV_m5 cubeUV_m6 cubeUV_maxLods1 cubeUV_maxLods2
 once cubeUV_maxLods3 cubeUV_maxMipLevel cubeUV_maxTileSize cubeUV_minMipLevel cubeUV_minTileSize cubeUV_r0
 once cubeUV_r1 cubeUV_r4 cubeUV_r5 cubeUV_r6 cubeUV_rangeClamp cubeUV_rcpTextureSize cubeUV_textureSize cubeUV_v0
@@ -334,10 +359,13 @@ reads emissiveColor
 uniform sampler2D emissiveMap;
 #endif
 //# encodings_fragment
+until 153 colorspace_fragment 163
 //# encodings_pars_fragment
+until 153 colorspace_pars_fragment 163
 once GammaToLinear LinearToGamma LinearToLinear LinearToLogLuv LinearToRGBD LinearToRGBE LinearToRGBM LinearTosRGB
 once LogLuvToLinear RGBDToLinear RGBEToLinear RGBMToLinear cLogLuvInverseM cLogLuvM sRGBToLinear
 //# envmap_common_pars_fragment
+from 108
 #ifdef USE_ENVMAP
 uniform float envMapIntensity;
 uniform mat3 envMapRotation;
@@ -408,6 +436,7 @@ uniform float refractionRatio;
 #endif
 #endif
 //# envmap_physical_pars_fragment
+from 95
 #ifdef USE_ENVMAP
 vec3 getIBLIrradiance( const in vec3 normal );
 vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness );
@@ -481,6 +510,7 @@ uniform sampler2D gradientMap;
 #endif
 vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection );
 //# iridescence_fragment
+from 141
 #ifdef USE_IRIDESCENCE
 const mat3 XYZ_TO_REC709 = mat3( 3.2404542, -0.9692660, 0.0556434, -1.5371385, 1.8760108, -0.2040259, -0.4985314, 0.0415560, 1.0572252 );
 vec3 Fresnel0ToIor( vec3 fresnel0 );
@@ -490,6 +520,7 @@ vec3 evalSensitivity( float OPD, vec3 shift );
 vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 );
 #endif
 //# iridescence_pars_fragment
+from 141
 #ifdef USE_IRIDESCENCEMAP
 uniform sampler2D iridescenceMap;
 #endif
@@ -497,6 +528,7 @@ uniform sampler2D iridescenceMap;
 uniform sampler2D iridescenceThicknessMap;
 #endif
 //# lightmap_fragment
+until 163
 once lightMapIrradiance lightMapTexel
 //# lightmap_pars_fragment
 #ifdef USE_LIGHTMAP
@@ -504,6 +536,7 @@ uniform sampler2D lightMap;
 uniform float lightMapIntensity;
 #endif
 //# lightprobes_pars_fragment
+from 184
 #if NUM_LIGHT_PROBE_GRIDS > 0
 uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
 uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
@@ -513,6 +546,7 @@ bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, ve
 vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal );
 #endif
 //# lights_fragment_begin
+from 91
 vec3 geometryPosition;
 vec3 geometryNormal;
 vec3 geometryViewDir;
@@ -625,6 +659,7 @@ vec3 clearcoatRadiance;
 #endif
 once geometry
 //# lights_fragment_end
+from 91
 #if defined( RE_IndirectDiffuse )
 #if defined( LAMBERT ) || defined( PHONG )
 sets irradiance
@@ -638,6 +673,7 @@ sets reflectedLight
 reads radiance iblIrradiance clearcoatRadiance geometryPosition geometryNormal geometryViewDir geometryClearcoatNormal
 #endif
 //# lights_fragment_maps
+from 91
 #if defined( RE_IndirectDiffuse )
 #ifdef USE_LIGHTMAP
 vec4 lightMapTexel;
@@ -679,9 +715,11 @@ reads geometryViewDir geometryClearcoatNormal
 #endif
 #endif
 //# lights_lambert_fragment
+from 144
 LambertMaterial material;
 reads diffuseColor specularStrength
 //# lights_lambert_pars_fragment
+from 144
 varying vec3 vViewPosition;
 struct LambertMaterial { vec3 diffuseColor; float specularStrength; };
 void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight );
@@ -689,8 +727,10 @@ void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometr
 #define RE_Direct RE_Direct_Lambert
 #define RE_IndirectDiffuse RE_IndirectDiffuse_Lambert
 //# lights_lambert_vertex
+until 143
 once backGeometry diffuse directLight directLightColor_Diffuse dotNL geometry
 //# lights_pars
+until 90
 once DirectionalLight HemisphereLight PointLight RectAreaLight SpotLight ambientLightColor color coneCos decay
 once direction directionalLights distance getAmbientLightIrradiance getDirectionalDirectLightIrradiance
 once getHemisphereLightIrradiance getLightProbeIndirectIrradiance getLightProbeIndirectRadiance
@@ -698,6 +738,7 @@ once getPointDirectLightIrradiance getSpecularMIPLevel getSpotDirectLightIrradia
 once halfWidth hemisphereLights ltc_1 ltc_2 penumbraCos pointLights position rectAreaLights shadow shadowBias
 once shadowCameraFar shadowCameraNear shadowMapSize shadowRadius skyColor spotLights
 //# lights_pars_begin
+from 91
 uniform bool receiveShadow;
 uniform vec3 ambientLightColor;
 #if defined( USE_LIGHT_PROBES )
@@ -936,12 +977,15 @@ once DEFAULT_SPECULAR_COEFFICIENT DFGApprox MAXIMUM_SPECULAR_COEFFICIENT Materia
 once Material_ClearCoat_BlinnShininessExponent clearCoat clearCoatDHRApprox clearCoatRoughness clearcoatDHRApprox
 once clearcoatSpecular computeMultiscattering iridescenceF0 sheenSpecular specularRoughness
 //# lights_template
+until 90
 once clearCoatRadiance directLight directionalLight geometry irradiance lightMapIrradiance pointLight radiance
 once rectAreaLight spotLight
 //# lights_toon_fragment
+from 112
 ToonMaterial material;
 reads diffuseColor
 //# lights_toon_pars_fragment
+from 112
 varying vec3 vViewPosition;
 struct ToonMaterial { vec3 diffuseColor; };
 void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight );
@@ -1032,6 +1076,7 @@ reads metalnessMap vMetalnessMapUv
 uniform sampler2D metalnessMap;
 #endif
 //# morphcolor_vertex
+from 138
 #if defined( USE_MORPHCOLORS )
 #if defined( USE_COLOR_ALPHA )
 sets vColor
@@ -1049,6 +1094,7 @@ reads gl_VertexID
 #endif
 #endif
 //# morphinstance_vertex
+from 162
 #ifdef USE_INSTANCING_MORPH
 float morphTargetInfluences[ MORPHTARGETS_COUNT ];
 float morphTargetBaseInfluence;
@@ -1075,8 +1121,10 @@ sets transformed
 reads morphTargetBaseInfluence gl_VertexID
 #endif
 //# normal_fragment
+until 90
 once fdx fdy normal
 //# normal_fragment_begin
+from 91
 float faceDirection;
 reads gl_FrontFacing
 #ifdef FLAT_SHADED
@@ -1129,6 +1177,7 @@ vec3 nonPerturbedNormal;
 reads normal
 once bitangent geometryNormal tangent vTBN
 //# normal_fragment_maps
+from 91
 #ifdef USE_NORMALMAP_OBJECTSPACE
 sets normal
 reads normalMap vNormalMapUv
@@ -1155,6 +1204,7 @@ reads vViewPosition faceDirection
 #endif
 once vTBN
 //# normal_pars_fragment
+from 132
 #ifndef FLAT_SHADED
 varying vec3 vNormal;
 #ifdef USE_TANGENT
@@ -1163,6 +1213,7 @@ varying vec3 vBitangent;
 #endif
 #endif
 //# normal_pars_vertex
+from 132
 #ifndef FLAT_SHADED
 varying vec3 vNormal;
 #ifdef USE_TANGENT
@@ -1171,6 +1222,7 @@ varying vec3 vBitangent;
 #endif
 #endif
 //# normal_vertex
+from 132
 #ifndef FLAT_SHADED
 sets vNormal
 reads transformedNormal
@@ -1195,6 +1247,7 @@ mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv );
 #endif
 once perturbNormal2Arb
 //# opaque_fragment
+from 154
 #ifdef OPAQUE
 sets diffuseColor
 #endif
@@ -1204,6 +1257,8 @@ sets diffuseColor
 sets gl_FragColor
 reads outgoingLight diffuseColor
 //# output_fragment
+from 132
+until 153 opaque_fragment 163
 //# packing
 vec3 packNormalToRGB( const in vec3 normal );
 vec3 unpackRGBToNormal( const in vec3 rgb );
@@ -1468,6 +1523,7 @@ vec3 NeutralToneMapping( vec3 color );
 vec3 CustomToneMapping( vec3 color );
 once OptimizedCineonToneMapping Uncharted2Helper Uncharted2ToneMapping toneMappingWhitePoint
 //# transmission_fragment
+from 129
 #ifdef USE_TRANSMISSION
 reads transmission thickness attenuationDistance attenuationColor
 #ifdef USE_TRANSMISSIONMAP
@@ -1485,6 +1541,7 @@ reads vWorldPosition cameraPosition normal viewMatrix modelMatrix projectionMatr
 #endif
 once thicknessFactor transmission transmissionAlpha transmissionFactor
 //# transmission_pars_fragment
+from 129
 #ifdef USE_TRANSMISSION
 uniform float transmission;
 uniform float thickness;
@@ -1519,13 +1576,20 @@ vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float ro
 #endif
 once applyVolumeAttenuation
 //# transmissionmap_fragment
+from 119
+until 128
 //# transmissionmap_pars_fragment
+from 119
+until 128
 once transmissionMap
 //# uv2_pars_fragment
+until 150
 once vUv2
 //# uv2_pars_vertex
+until 150
 once uv2 uv2Transform vUv2
 //# uv2_vertex
+until 150
 //# uv_pars_fragment
 #if defined( USE_UV ) || defined( USE_ANISOTROPY )
 varying vec2 vUv;
