@@ -4,16 +4,19 @@
 use crate::access::FileAccess;
 use crate::files::Files;
 use crate::files::imports::imports;
+use serde_json::Value;
 use shaderlint_host::{Preset, presets};
 use shaderlint_text::path::plain;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Size limit of `package.json` in bytes.
 const MAX_FILE: usize = 1024 * 1024;
 /// Maximum number of parent folders that are searched.
 const MAX_FOLDERS: usize = 16;
+/// The lists of dependencies; the first is what the program itself uses.
+const DEPENDENCIES: [&str; 3] = ["dependencies", "devDependencies", "peerDependencies"];
 
 /// The hosts that a script imports or uses through their globals.
 pub fn imported_hosts(script: &str) -> Vec<&'static Preset> {
@@ -31,37 +34,85 @@ pub fn installed_hosts(name: &str, access: FileAccess) -> Vec<&'static Preset> {
     presets().filter(uses).collect()
 }
 
+/// The release of a package with versions `0.RELEASE.PATCH` for a file: the one that is installed, otherwise the
+/// only one that its project accepts.
+pub fn installed_release(name: &str, package: &str, access: FileAccess) -> Option<u32> {
+    let files = access.files;
+    let folder = folder_of(name, files);
+    let in_modules = |above: &Path| above.join("node_modules").join(package);
+    *access.cache.release(&in_modules(&folder), files, || {
+        let above = folders(&folder, files);
+        let mut installed = above.iter().filter_map(|f| manifest(files, &in_modules(f)));
+        let manifests: Vec<_> = above.iter().filter_map(|f| manifest(files, f)).collect();
+        let is_own = |m: &&Value| m.get("name").is_some_and(|name| name == package);
+        let own = || manifests.iter().find(is_own).cloned();
+        if let Some(found) = installed.next().or_else(own) {
+            return release(found.get("version")?.as_str()?);
+        }
+        let ranges = |m: &Value| -> Vec<String> {
+            let lists = DEPENDENCIES.iter().filter_map(|l| m.get(*l)?.get(package));
+            lists
+                .map(|range| range.as_str().unwrap_or("").to_string())
+                .collect()
+        };
+        let wanted = manifests.iter().map(ranges).find(|all| !all.is_empty())?;
+        wanted.iter().find_map(|range| release(range))
+    })
+}
+
+/// The release of a version, or the only one in a range: before 1.0.0, `^` and `~` allow one.
+fn release(range: &str) -> Option<u32> {
+    let version = range.trim_start_matches(['^', '~', '=', 'v']);
+    let mut parts = version.strip_prefix("0.")?.splitn(2, '.');
+    let middle = parts.next()?.parse().ok();
+    // More than one version is a range of its own.
+    let is_one = !parts.next().unwrap_or("").contains([' ', '|', '<', '>']);
+    middle.filter(|_| is_one)
+}
+
 /// The names of the package that contains a file and of its dependencies. `package.json` is
 /// searched in the folder of the file and its parents, up to the root of the repository.
 fn packages(name: &str, access: FileAccess) -> Arc<BTreeSet<String>> {
     let files = access.files;
-    let file = plain(&files.here().join(name));
-    let folder = file.parent().unwrap_or(Path::new(""));
-    access.cache.packages(folder, files, || {
-        let mut all = BTreeSet::new();
-        for above in folder.ancestors().take(MAX_FOLDERS) {
-            all.extend(names_in(files, &above.join("package.json")));
-            let is_module = above.parent().is_some_and(|p| p.ends_with("node_modules"));
-            if is_module || files.entry(&above.join(".git")).is_some() {
-                break;
-            }
-        }
-        all
+    let folder = folder_of(name, files);
+    access.cache.packages(&folder, files, || {
+        let all = folders(&folder, files).into_iter();
+        let all = all.filter_map(|above| manifest(files, above));
+        all.flat_map(|package| names_in(&package)).collect()
     })
 }
 
+/// The absolute path of the folder of a file.
+fn folder_of(name: &str, files: &dyn Files) -> PathBuf {
+    let file = plain(&files.here().join(name));
+    file.parent().unwrap_or(Path::new("")).to_path_buf()
+}
+
+/// A folder and its parents, up to the root of its package in `node_modules` or of the repository.
+fn folders<'f>(folder: &'f Path, files: &dyn Files) -> Vec<&'f Path> {
+    let is_root = |f: &Path| {
+        let is_module = f.parent().is_some_and(|p| p.ends_with("node_modules"));
+        is_module || files.entry(&f.join(".git")).is_some()
+    };
+    let all: Vec<&Path> = folder.ancestors().take(MAX_FOLDERS).collect();
+    let end = all
+        .iter()
+        .position(|f| is_root(f))
+        .map_or(all.len(), |i| i + 1);
+    all.into_iter().take(end).collect()
+}
+
+/// The `package.json` of a folder.
+fn manifest(files: &dyn Files, folder: &Path) -> Option<Value> {
+    let text = files.load(&folder.join("package.json")).ok()?;
+    serde_json::from_str(text.get(..MAX_FILE.min(text.len()))?).ok()
+}
+
 /// The names of a package and of its dependencies.
-fn names_in(files: &dyn Files, file: &Path) -> Vec<String> {
-    let text = files.load(file).ok();
-    let Some(text) = text.filter(|t| t.len() <= MAX_FILE) else {
-        return Vec::new();
-    };
-    let Ok(serde_json::Value::Object(package)) = serde_json::from_str(&text) else {
-        return Vec::new();
-    };
+fn names_in(package: &Value) -> Vec<String> {
     let name = package.get("name").and_then(|n| n.as_str());
-    let lists = ["dependencies", "peerDependencies", "devDependencies"];
-    let lists = lists.iter().filter_map(|l| package.get(*l)?.as_object());
+    let lists = DEPENDENCIES.iter();
+    let lists = lists.filter_map(|l| package.get(*l)?.as_object());
     let used = lists.flat_map(|l| l.keys().cloned());
     name.map(str::to_string).into_iter().chain(used).collect()
 }

@@ -18,6 +18,8 @@ pub struct FileCache {
     passes: Mutex<HashMap<PathBuf, (u64, Arc<Passes>)>>,
     /// By folder: the packages of its project.
     packages: Mutex<HashMap<PathBuf, Arc<BTreeSet<String>>>>,
+    /// By folder of a package beside a shader, installed or not: the release of the package there.
+    releases: Mutex<HashMap<PathBuf, Arc<Option<u32>>>>,
     /// By folder: the root of its repository.
     tops: Mutex<HashMap<PathBuf, Arc<PathBuf>>>,
     /// By root of a repository: the words in its code.
@@ -58,6 +60,17 @@ impl FileCache {
     ) -> Arc<BTreeSet<String>> {
         files.depends_on(Dependency::Repository);
         kept(&self.packages, folder, find)
+    }
+
+    /// The release of a package for shaders beside its folder; `find` computes it.
+    pub fn release(
+        &self,
+        module: &Path,
+        files: &dyn Files,
+        find: impl FnOnce() -> Option<u32>,
+    ) -> Arc<Option<u32>> {
+        files.depends_on(Dependency::Repository);
+        kept(&self.releases, module, find)
     }
 
     /// Whether a word appears in another file of the repository, and whether all of its files were

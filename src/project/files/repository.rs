@@ -5,6 +5,7 @@ use super::words::{GLSL, hash, is_glsl, words};
 use crate::files::{FileType, Files};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::kind::file_extension;
+use shaderlint_host::chunk_libraries;
 use shaderlint_text::path::plain;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{BuildHasherDefault, Hasher};
@@ -144,6 +145,10 @@ impl RepositoryWords {
         }
         let is_program = !is_glsl(&file_extension(&name));
         programs.any |= is_program;
+        for library in chunk_libraries().iter().filter(|_| is_program) {
+            let added = library.added_in(&text).into_iter();
+            added.for_each(|member| self.words.add(hash(&member), number));
+        }
         let length = text.len();
         if !is_about_shaders {
             self.files.insert(path, number);
