@@ -1,6 +1,7 @@
 //! Checks the text of one file: splits it into shaders, and runs the stages over them.
 
 use crate::check_context::{CheckContext, Keep};
+use crate::findings::chunks::library;
 use crate::findings::report::Report;
 use crate::findings::stage::{FileCheck, FindingStage, ShaderCheck, Unresolved};
 use crate::findings::{STAGES, partner};
@@ -226,6 +227,8 @@ fn check_shaders(file: &mut FileCheck, keep: Keep) {
 /// What the report says about a shader.
 fn summary(shader: &mut ShaderCheck) -> Option<Shader> {
     let (part, sources) = (shader.part, shader.sources);
+    let release =
+        library(shader).and_then(|(_, library)| shader.hosts.release(library, &part.readings));
     let program = &shader.checked.program;
     let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
     Some(Shader {
@@ -242,6 +245,7 @@ fn summary(shader: &mut ShaderCheck) -> Option<Shader> {
         holes: std::mem::take(&mut shader.checked.open.names),
         hosts: part.readings.hosts.clone(),
         host: part.host,
+        release,
     })
 }
 

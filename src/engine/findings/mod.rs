@@ -1,7 +1,7 @@
 //! Findings in the text of a file, in stages.
 
 mod assumption;
-mod chunks;
+pub mod chunks;
 mod comments;
 mod group;
 mod inactive;
@@ -28,8 +28,8 @@ pub const STAGES: &[FindingStage] = &[
     // First, because these are errors of the checker that it left open: they count as errors for all
     // stages below.
     Shader(unknown::decide_severity),
-    // An error of the host, also before the others are counted.
-    Shader(chunks::report_unknown),
+    // Errors of the host, also before the others are counted.
+    Shader(chunks::report),
     // What the host of the shader does not accept, although the checker does.
     Shader(required::apply_version),
     Shader(required::add_limits),

@@ -6,9 +6,9 @@ use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::embed::{AskedWebGl, DocumentLanguage, ParsedScript};
 use shaderlint_detect::kind::file_extension;
-use shaderlint_host::{Preset, presets};
+use shaderlint_host::{ChunkLibrary, Preset, presets};
 use shaderlint_project::{
-    NamesForOthers, counts, hash, imported_hosts, installed_hosts, macros, meant,
+    NamesForOthers, counts, hash, imported_hosts, installed_hosts, installed_release, macros, meant,
 };
 use shaderlint_text::path::plain;
 use std::cell::{LazyCell, OnceCell};
@@ -40,6 +40,8 @@ pub struct Hosts<'a> {
     imported: OnceCell<Vec<&'static Preset>>,
     /// The hosts among the packages of the project; computed on first use.
     installed: OnceCell<Vec<&'static Preset>>,
+    /// The release of the library whose chunks the texts include; computed on first use.
+    release: OnceCell<Option<u32>>,
 }
 
 impl<'a> Hosts<'a> {
@@ -55,6 +57,7 @@ impl<'a> Hosts<'a> {
             context,
             imported: OnceCell::new(),
             installed: OnceCell::new(),
+            release: OnceCell::new(),
         }
     }
 
@@ -102,6 +105,29 @@ impl<'a> Hosts<'a> {
             ),
             _ => (by_chunk, true),
         }
+    }
+
+    /// The release of the library whose chunks a text includes: the one that the project has, or that the addresses
+    /// in the script around the text name. `None` also if these differ.
+    pub fn release(&self, library: &ChunkLibrary, readings: &Readings) -> Option<u32> {
+        *self.release.get_or_init(|| {
+            let access = self.context.file_access();
+            let installed = installed_release(self.name, library.package, access);
+            // The scripts that import a file are searched only if they decide.
+            let is_asked = self.script.is_some() || installed.is_none() && readings.holds_entry();
+            let scripts = if is_asked { self.scripts() } else { Vec::new() };
+            let cited = scripts.iter().flat_map(|(_, text)| library.cited_in(text));
+            let all: BTreeSet<u32> = cited.chain(installed).collect();
+            all.first().copied().filter(|_| all.len() == 1)
+        })
+    }
+
+    /// Whether the program adds a chunk to a library; `*` is one that it does not name.
+    pub fn adds_chunk(&self, library: &ChunkLibrary, chunk: &str) -> bool {
+        let member = library.member(chunk);
+        let script = self.script.as_ref();
+        script.is_some_and(|text| library.added_in(text).contains(&member))
+            || self.is_used_outside(&member, 0)
     }
 
     /// The path of the file.

@@ -105,6 +105,8 @@ pub struct Shader {
     pub hosts: Vec<String>,
     /// The host that composes the shader, if the composed text was checked.
     pub host: Option<&'static Preset>,
+    /// The release of the library whose chunks it includes.
+    pub release: Option<u32>,
     /// Includes that were not found.
     pub missing: Vec<MissingInclude>,
 }
