@@ -131,6 +131,164 @@ fn chunks_of_a_host_complete_a_shader() {
     run("", "gl_FragColor = LinearTosRGB(vec4(1.0));", &[]);
 }
 
+/// A page or script that loads three.js from this address, and includes these chunks.
+fn includes(address: &str, chunks: &[&str]) -> String {
+    let chunks: Vec<String> = chunks.iter().map(|c| format!("#include <{c}>")).collect();
+    let body = format!("gl_FragColor = vec4(1.0);\n{}", chunks.join("\n"));
+    three("ShaderMaterial", "", &body).replace("'three'", &format!("'{address}'"))
+}
+
+#[test]
+fn chunks_are_those_of_the_installed_release() {
+    let old = includes("three", &["encodings_fragment"]);
+    let new = includes("three", &["fog_fragment", "colorspace_fragment"]);
+    let gone = includes("three", &["lightmap_fragment"]);
+    let files = [("a.js", old.as_str()), ("b.js", &new), ("c.js", &gone)];
+    let missing = |release: u32| {
+        format!(
+            "a.js:6:11: error[bad-directive]: `encodings_fragment` does not exist in three.js r{release}"
+        )
+    };
+    let lightmap =
+        "c.js:6:11: error[bad-directive]: `lightmap_fragment` does not exist in three.js r170";
+    let early = "b.js:7:11: error[bad-directive]: `colorspace_fragment` exists from r154 on";
+    let accepted = "a.js:6:11: warning[bad-directive]: `encodings_fragment` is an old name, which \
+        three.js accepts until r163";
+    let run = |more: &[(&str, &str)], expected: &[&str]| check(&[&files, more].concat(), expected);
+    let of = |list: &str, range: &str| format!("{{\"{list}\": {{\"three\": \"{range}\"}}}}");
+    for (range, expected) in [
+        ("^0.170.0", &[missing(170).as_str(), lightmap][..]),
+        ("0.160.x", &[accepted]),
+        ("~0.152.2", &[early]),
+        ("0.80.1", &[early]),
+        (">=0.125", &[]),
+        ("^0.150.0 || ^0.170.0", &[]),
+        ("0.150.0 - 0.170.0", &[]),
+        ("*", &[]),
+        ("latest", &[]),
+    ] {
+        for list in ["dependencies", "devDependencies", "peerDependencies"] {
+            run(&[("package.json", &of(list, range))], expected);
+        }
+    }
+    // What is installed decides, and three.js itself has its own release.
+    let range = of("dependencies", "^0.152.0");
+    let installed = r#"{"name": "three", "version": "0.170.0"}"#;
+    let modules = ("node_modules/three/package.json", installed);
+    let all = [missing(170), lightmap.to_string()];
+    let all = all.each_ref().map(String::as_str);
+    run(&[("package.json", &range), modules], &all);
+    run(&[("package.json", installed)], &all);
+}
+
+#[test]
+fn chunks_are_those_of_the_release_that_a_page_loads() {
+    let run = |address: &str, more: &str, is_early: bool| {
+        let script = includes(address, &["colorspace_fragment"]) + more;
+        let early = "a.js:6:11: error[bad-directive]: `colorspace_fragment` exists from r154 on";
+        let expected: &[&str] = if is_early { &[early] } else { &[] };
+        check(&[("a.js", &script)], expected);
+    };
+    for address in [
+        "https://unpkg.com/three@0.150.1/build/three.module.js",
+        "https://cdn.example.com/npm/three@0.150.1/+esm",
+        "https://cdn.example.com/ajax/libs/three.js/r128/three.min.js",
+        "https://cdn.example.com/ajax/libs/three.js/0.128.0/three.module.js",
+    ] {
+        run(address, "", true);
+    }
+    run("https://unpkg.com/three@0.160.0/three.js", "", false);
+    run(
+        "https://unpkg.com/my-three@0.150.0/three.js",
+        "import 'three';",
+        false,
+    );
+    // Two releases are none.
+    let other = "// https://unpkg.com/three@0.170.0/src/a.js\n";
+    run("https://unpkg.com/three@0.150.1/three.js", other, false);
+    let map = "<script type=\"importmap\">{\"imports\": {\"three\": \
+        \"https://unpkg.com/three@0.170.0/build/three.module.js\"}}</script>\n";
+    let script = includes("three", &["uv2_vertex"]);
+    let page = format!("{map}<script type=\"module\">\n{script}</script>\n");
+    check(
+        &[("a.html", &page)],
+        &["a.html:8:11: error[bad-directive]: `uv2_vertex` does not exist in three.js r170"],
+    );
+}
+
+#[test]
+fn a_program_that_adds_or_chooses_chunks_has_them() {
+    let package = ("package.json", r#"{"dependencies": {"three": "0.170.0"}}"#);
+    let shader = includes("three", &["uv2_vertex", "encodings_fragment"]);
+    let add = |code: &str| {
+        let added = format!("import {{ ShaderChunk }} from 'three';\n{code}\n");
+        let scratch = Scratch::new(&[("a.js", &shader), ("b.ts", &added), package]);
+        let ran = scratch.run(&["-q", "--no-run", "--format", "short", "."]);
+        let severity = |l: &str| {
+            l.split(' ')
+                .nth(1)
+                .and_then(|s| s.split('[').next())
+                .map(str::to_string)
+        };
+        ran.out.lines().filter_map(severity).collect::<Vec<_>>()
+    };
+    assert_eq!(add(""), ["error", "error"]);
+    assert_eq!(
+        add("if (ShaderChunk.uv2_vertex === x) y();"),
+        ["error", "error"]
+    );
+    assert_eq!(add("ShaderChunk.uv2_vertex = '';"), ["error"]);
+    assert_eq!(
+        add("ShaderChunk['uv2_vertex'] = ``;\nTHREE.ShaderChunk.encodings_fragment = x;"),
+        [] as [&str; 0]
+    );
+    for code in [
+        "Object.assign(THREE.ShaderChunk, all);\nx = 1;",
+        "ShaderChunk[name] = text;",
+    ] {
+        assert_eq!(add(code), ["warning", "warning"], "{code}");
+    }
+    // A script chooses by the release.
+    for choice in [
+        "const name = parseInt(REVISION) < 154 ? 'encodings_fragment' : 'colorspace_fragment';\n",
+        "const name = 'colorspace_fragment';\n",
+    ] {
+        let script = choice.to_string() + &includes("three", &["encodings_fragment"]);
+        check(&[("a.js", &script), package], &[]);
+        let script = script.replace("<encodings_fragment>", "<${name}>");
+        check(&[("a.js", &script), package], &[]);
+    }
+}
+
+#[test]
+fn a_chunk_of_another_release_gets_the_name_of_this_one() {
+    let script = includes("three", &["output_fragment", "fog_fragment"]);
+    let package = |version: &str| format!("{{\"dependencies\": {{\"three\": \"{version}\"}}}}");
+    let scratch = Scratch::new(&[("a.js", &script), ("package.json", &package("0.175.0"))]);
+    let fix = |release: &str| {
+        scratch.write("package.json", package(release));
+        scratch.run(&["--no-run", "--fix", "a.js"]);
+        scratch.read("a.js")
+    };
+    let new = script.replace("output_fragment", "opaque_fragment");
+    assert_eq!(fix("0.175.0"), new);
+    assert_eq!(fix("0.140.0"), script);
+    // Neither of the two existed.
+    assert_eq!(fix("0.120.0"), script);
+    scratch.write("package.json", package(">=0.125"));
+    let ran = scratch.run(&["--no-run", "--info", "--format", "short", "a.js"]);
+    let info = "info[bad-directive]: `output_fragment` does not exist in three.js after r163; it became \
+        `opaque_fragment` in r154";
+    assert!(ran.out.contains(info), "{}", ran.out);
+    scratch.write("package.json", package("^0.150.2"));
+    let ran = scratch.run(&["--no-run", "-v", "a.js"]);
+    assert!(
+        ran.err.contains("for three.js, chunks of r150;"),
+        "{}",
+        ran.err
+    );
+}
+
 /// Each chunk is syntactically complete, so that nothing around it is left unchecked.
 #[test]
 fn each_chunk_leaves_the_text_around_it_checked() {

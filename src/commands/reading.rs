@@ -133,11 +133,14 @@ fn describe(shader: &Shader, report: &Report) -> String {
     format!("{host}{kind}{part}{skipped}{}", completed(shader))
 }
 
-/// For a shader fragment: its hosts, the names they declare, and missing includes.
+/// For a shader fragment: its hosts, the release of its chunks, the names they declare, and missing includes.
 fn completed(shader: &Shader) -> String {
     let mut text = String::new();
     if !shader.hosts.is_empty() {
         text.push_str(&format!(", for {}", shader.hosts.join(" or ")));
+    }
+    if let Some(release) = shader.release {
+        text.push_str(&format!(", chunks of r{release}"));
     }
     let names = &shader.holes;
     if !names.is_empty() {
