@@ -203,6 +203,17 @@ fn chunks_are_those_of_the_release_that_a_page_loads() {
         "import 'three';",
         false,
     );
+    // The script does not use the package of the project.
+    let of_project = ("package.json", r#"{"dependencies": {"three": "0.150.0"}}"#);
+    let unknown = |script: &str| check(&[("a.js", script), of_project], &[]);
+    for own in [
+        "./libs/three.module.js",
+        "https://unpkg.com/three@0.160.0/three.js",
+    ] {
+        unknown(&includes(own, &["colorspace_fragment"]));
+    }
+    let global = includes("three", &["colorspace_fragment"]);
+    unknown(&global.replace("import * as THREE from 'three';", "// three"));
     // Two releases are none.
     let other = "// https://unpkg.com/three@0.170.0/src/a.js\n";
     run("https://unpkg.com/three@0.150.1/three.js", other, false);

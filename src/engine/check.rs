@@ -227,8 +227,7 @@ fn check_shaders(file: &mut FileCheck, keep: Keep) {
 /// What the report says about a shader.
 fn summary(shader: &mut ShaderCheck) -> Option<Shader> {
     let (part, sources) = (shader.part, shader.sources);
-    let release =
-        library(shader).and_then(|(_, library)| shader.hosts.release(library, &part.readings));
+    let release = library(shader).and_then(|(host, _)| shader.hosts.release(host, &part.readings));
     let program = &shader.checked.program;
     let own = |id: &&FileId| sources.code(**id).is_some_and(|c| c.role == Role::User);
     Some(Shader {

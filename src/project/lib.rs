@@ -28,7 +28,7 @@ pub use dialect::{
     Bindings, Clues, Completion, Hosted, MAX_CHANNELS, Recognised, SiblingTexts, TextChange,
     UniformData, VaryingValue, asks_for_desktop, best, bind, bindings, calls_entry,
     declared_control, hosted, imported_hosts, installed_hosts, installed_release, may_be_composed,
-    plan, recognise,
+    plan, recognise, uses_installed,
 };
 pub use draw::{PassDraw, SizeTerm};
 pub use files::family::{Family, common_of, family, is_common};

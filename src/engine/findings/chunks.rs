@@ -22,7 +22,7 @@ pub fn report(shader: &mut ShaderCheck) {
 fn of_other_releases(shader: &ShaderCheck) -> Option<Vec<Diagnostic>> {
     let (host, library) = library(shader)?;
     let hosts = shader.hosts;
-    let release = hosts.release(library, &shader.part.readings);
+    let release = hosts.release(host, &shader.part.readings);
     let files = shader.part.reading()?.files.iter();
     let found = files.clone().zip(files.skip(1));
     let found = found.filter_map(|(before, inserted)| {

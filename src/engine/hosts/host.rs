@@ -8,7 +8,8 @@ use shaderlint_detect::embed::{AskedWebGl, DocumentLanguage, ParsedScript};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_host::{ChunkLibrary, Preset, presets};
 use shaderlint_project::{
-    NamesForOthers, counts, hash, imported_hosts, installed_hosts, installed_release, macros, meant,
+    NamesForOthers, counts, hash, imported_hosts, installed_hosts, installed_release, macros,
+    meant, uses_installed,
 };
 use shaderlint_text::path::plain;
 use std::cell::{LazyCell, OnceCell};
@@ -109,12 +110,16 @@ impl<'a> Hosts<'a> {
 
     /// The release of the library whose chunks a text includes: the one that the project has, or that the addresses
     /// in the script around the text name. `None` also if these differ.
-    pub fn release(&self, library: &ChunkLibrary, readings: &Readings) -> Option<u32> {
+    pub fn release(&self, host: &Preset, readings: &Readings) -> Option<u32> {
         *self.release.get_or_init(|| {
-            let access = self.context.file_access();
-            let installed = installed_release(self.name, library.package, access);
+            let library = host.chunk_library()?;
+            let script = self.script.as_ref();
+            let may_use = script.is_none_or(|text| uses_installed(text, host, library.package));
+            let installed =
+                installed_release(self.name, library.package, self.context.file_access());
+            let installed = installed.filter(|_| may_use);
             // The scripts that import a file are searched only if they decide.
-            let is_asked = self.script.is_some() || installed.is_none() && readings.holds_entry();
+            let is_asked = script.is_some() || installed.is_none() && readings.holds_entry();
             let scripts = if is_asked { self.scripts() } else { Vec::new() };
             let cited = scripts.iter().flat_map(|(_, text)| library.cited_in(text));
             let all: BTreeSet<u32> = cited.chain(installed).collect();

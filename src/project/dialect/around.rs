@@ -49,15 +49,31 @@ pub fn installed_release(name: &str, package: &str, access: FileAccess) -> Optio
         if let Some(found) = installed.next().or_else(own) {
             return release(found.get("version")?.as_str()?);
         }
-        let ranges = |m: &Value| -> Vec<String> {
-            let lists = DEPENDENCIES.iter().filter_map(|l| m.get(*l)?.get(package));
-            lists
-                .map(|range| range.as_str().unwrap_or("").to_string())
-                .collect()
-        };
-        let wanted = manifests.iter().map(ranges).find(|all| !all.is_empty())?;
-        wanted.iter().find_map(|range| release(range))
+        let mut ranges = manifests
+            .iter()
+            .map(|m| DEPENDENCIES.map(|l| m.get(l)?.get(package)));
+        let ranges = ranges.find(|all| all.iter().any(Option::is_some))?;
+        ranges
+            .iter()
+            .flatten()
+            .find_map(|range| release(range.as_str()?))
     })
+}
+
+/// Whether a script uses an installed package of a host, and neither a file of this name nor the global of a page.
+pub fn uses_installed(script: &str, host: &Preset, package: &str) -> bool {
+    let is_copy = |(_, name): (&str, &str)| {
+        let end = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '.');
+        end.is_some_and(|end| {
+            name.get(end..)
+                .is_some_and(|rest| rest.starts_with(['"', '\'', '`']))
+        })
+    };
+    let file = format!("/{package}.");
+    let mut files = script.match_indices(&file);
+    let has_copy = files.any(|(at, _)| is_copy(script.split_at(at + file.len())));
+    let mut imported = imports(script).into_iter().map(package_of);
+    !has_copy && (!host.is_used_in(script) || imported.any(|name| host.is_package(name)))
 }
 
 /// The release of a version, or the only one in a range: before 1.0.0, `^` and `~` allow one.
@@ -94,12 +110,9 @@ fn folders<'f>(folder: &'f Path, files: &dyn Files) -> Vec<&'f Path> {
         let is_module = f.parent().is_some_and(|p| p.ends_with("node_modules"));
         is_module || files.entry(&f.join(".git")).is_some()
     };
-    let all: Vec<&Path> = folder.ancestors().take(MAX_FOLDERS).collect();
-    let end = all
-        .iter()
-        .position(|f| is_root(f))
-        .map_or(all.len(), |i| i + 1);
-    all.into_iter().take(end).collect()
+    let above = folder.ancestors().take(MAX_FOLDERS);
+    let root = above.clone().position(is_root);
+    above.take(root.map_or(MAX_FOLDERS, |at| at + 1)).collect()
 }
 
 /// The `package.json` of a folder.

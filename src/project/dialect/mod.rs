@@ -21,7 +21,7 @@ mod vertex;
 mod vertexshaderart;
 mod vscode;
 
-pub use around::{imported_hosts, installed_hosts, installed_release};
+pub use around::{imported_hosts, installed_hosts, installed_release, uses_installed};
 pub use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 use clues::VersionAsked;
