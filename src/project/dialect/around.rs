@@ -62,16 +62,13 @@ pub fn installed_release(name: &str, package: &str, access: FileAccess) -> Optio
 
 /// Whether a script uses an installed package of a host, and neither a file of this name nor the global of a page.
 pub fn uses_installed(script: &str, host: &Preset, package: &str) -> bool {
-    let is_copy = |(_, name): (&str, &str)| {
-        let end = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '.');
-        end.is_some_and(|end| {
-            name.get(end..)
-                .is_some_and(|rest| rest.starts_with(['"', '\'', '`']))
-        })
+    let is_end = |rest: &str| {
+        let end = rest.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '.');
+        end.starts_with(['"', '\'', '`'])
     };
     let file = format!("/{package}.");
     let mut files = script.match_indices(&file);
-    let has_copy = files.any(|(at, _)| is_copy(script.split_at(at + file.len())));
+    let has_copy = files.any(|(at, _)| script.get(at + file.len()..).is_some_and(is_end));
     let mut imported = imports(script).into_iter().map(package_of);
     !has_copy && (!host.is_used_in(script) || imported.any(|name| host.is_package(name)))
 }
