@@ -16,10 +16,7 @@ fn check(cx: &mut Context) {
         let Some((span, what)) = first_use(program, facts) else {
             continue;
         };
-        let message = format!(
-            "{what} works only if the extension `{}` is enabled",
-            facts.name
-        );
+        let message = format!("{what} requires `{}` to be enabled", facts.name);
         let found = cx.report_span(span, message);
         let found = match facts.lacking {
             [] => found,

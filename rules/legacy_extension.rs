@@ -2,8 +2,7 @@
 
 use shaderlint_diagnostic::Fix;
 use shaderlint_lint::{Context, remove_lines};
-use shaderlint_semantic::CORE_EXTENSIONS;
-use shaderlint_syntax::Version;
+use shaderlint_syntax::{GlExtension, Version};
 
 rule! { legacy_extension, Webgl2, Warning, Recommended, Program(check) }
 
@@ -14,10 +13,10 @@ fn check(cx: &mut Context) {
     }
     for used in &program.tokens.extensions {
         let name = program.names.text(used.name);
-        let known = CORE_EXTENSIONS.iter().find(|(known, _)| *known == name);
-        let Some((_, what)) = known.filter(|_| program.is_user(used.span)) else {
+        let what = GlExtension::of_directive(name).map_or("", |known| known.facts().built_in);
+        if what.is_empty() || !program.is_user(used.span) {
             continue;
-        };
+        }
         let edit = remove_lines(program, used.span);
         cx.report_span(
             used.span,

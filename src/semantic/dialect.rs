@@ -6,20 +6,6 @@ use rustc_hash::FxHashSet;
 use shaderlint_syntax::{ConditionalGroups, Feature, GroupDirective, Version, WordClass, classify};
 use std::ops::Range;
 
-/// Extensions of WebGL1, and the features of WebGL2 that replace them.
-pub const CORE_EXTENSIONS: [(&str, &str); 4] = [
-    (
-        "GL_OES_standard_derivatives",
-        "`dFdx`, `dFdy` and `fwidth` are",
-    ),
-    (
-        "GL_EXT_shader_texture_lod",
-        "`textureLod` and `textureGrad` are",
-    ),
-    ("GL_EXT_frag_depth", "`gl_FragDepth` is"),
-    ("GL_EXT_draw_buffers", "several `out` variables are"),
-];
-
 /// Lookups that only GLSL ES 1.00 has, used in most of its shaders.
 const OLD_LOOKUPS: [BuiltinId; 2] = [BuiltinId::Texture2D, BuiltinId::TextureCube];
 /// Lookups that only GLSL ES 3.00 has.

@@ -54,8 +54,7 @@ pub use check_shader::{CheckedShader, check_fragment, check_shader};
 pub use constant::{Constant, Pool, Value};
 pub use dialect::first_of_300;
 pub use dialect::{
-    CHUNK_OUTPUT, CORE_EXTENSIONS, Channels, Dialect, Guess, GuessedKind, Pass, chunk_declarations,
-    guess, needs_300,
+    CHUNK_OUTPUT, Channels, Dialect, Guess, GuessedKind, Pass, chunk_declarations, guess, needs_300,
 };
 pub use host::{EntryPoint, EntryResult, Host, channel, starts_a_shader};
 pub use program::calls::CallGraph;

@@ -43,6 +43,8 @@ pub struct ExtensionFacts {
     pub adds: &'static [&'static str],
     /// The version of the language that it extends; `None` for both.
     pub version: Option<Version>,
+    /// What replaces it in GLSL ES 3.00, with a verb; empty if nothing does.
+    pub built_in: &'static str,
     /// Browsers that do not have it.
     pub lacking: &'static [&'static str],
 }
@@ -56,10 +58,15 @@ pub static EXTENSIONS: [ExtensionFacts; 11] = {
         directives: &'static [&'static str],
         adds: &'static [&'static str],
     ) -> ExtensionFacts {
+        let built_in = match extension {
+            StandardDerivatives => "`dFdx`, `dFdy` and `fwidth` are",
+            ShaderTextureLod => "`textureLod` and `textureGrad` are",
+            FragDepth => "`gl_FragDepth` is",
+            DrawBuffers => "several `out` variables are",
+            _ => "",
+        };
         let (version, lacking): (_, &[&str]) = match extension {
-            StandardDerivatives | ShaderTextureLod | FragDepth | DrawBuffers => {
-                (Some(Version::Es100), &[])
-            }
+            _ if !built_in.is_empty() => (Some(Version::Es100), &[]),
             MultiDraw => (None, &["Firefox"]),
             Multiview => (Some(Version::Es300), &["Safari"]),
             _ => (Some(Version::Es300), &["Firefox"]),
@@ -70,6 +77,7 @@ pub static EXTENSIONS: [ExtensionFacts; 11] = {
             directives,
             adds,
             version,
+            built_in,
             lacking,
         }
     }
@@ -123,13 +131,19 @@ impl GlExtension {
         EXTENSIONS.get(self as usize).unwrap_or(first)
     }
 
+    /// The extension that an `#extension` directive names.
+    pub fn of_directive(name: &str) -> Option<GlExtension> {
+        let mut all = EXTENSIONS.iter();
+        let found = all.find(|facts| facts.directives.contains(&name));
+        found.map(|facts| facts.extension)
+    }
+
     /// The extension of this name, as in `getExtension` or in `#extension`.
     pub fn named(name: &str) -> Option<GlExtension> {
-        let mut all = EXTENSIONS.iter();
         // `getExtension` ignores case.
-        let is_named = |facts: &&ExtensionFacts| facts.name.eq_ignore_ascii_case(name);
-        let found = all.find(|facts| is_named(facts) || facts.directives.contains(&name));
-        found.map(|facts| facts.extension)
+        let mut all = EXTENSIONS.iter();
+        let found = all.find(|facts| facts.name.eq_ignore_ascii_case(name));
+        GlExtension::of_directive(name).or(found.map(|facts| facts.extension))
     }
 
     /// The extension that adds a function or variable to a version of the language.

@@ -30,8 +30,6 @@ pub enum Feature {
     ConstantComma,
     /// `invariant` inputs of fragment shaders, which must match the vertex outputs.
     InvariantInputs,
-    /// Features that were extensions of GLSL ES 1.00.
-    CoreExtensions,
     /// Integer, array, shadow and 3D samplers.
     SamplerTypes,
     /// Overloaded lookups such as `texture` instead of `texture2D` and related functions.
@@ -107,7 +105,6 @@ pub static ES_300: LanguageProfile = LanguageProfile {
         Feature::InOut,
         Feature::FreeControlFlow,
         Feature::RepeatedPrototypes,
-        Feature::CoreExtensions,
         Feature::SamplerTypes,
         Feature::OverloadedLookups,
         Feature::IntegerLimit,

@@ -4,8 +4,8 @@ use super::obstacle::{ObstacleKind, UpgradeObstacle};
 use super::scan::{RawScan, ScannedToken};
 use super::words::WordMap;
 use shaderlint_semantic::builtins::Stage;
-use shaderlint_semantic::{CORE_EXTENSIONS, Program, Storage, globals, late_values};
-use shaderlint_syntax::GroupDirective;
+use shaderlint_semantic::{Program, Storage, globals, late_values};
+use shaderlint_syntax::{GlExtension, GroupDirective};
 use shaderlint_text::{CompiledText, Edit, Span, remove_lines};
 
 /// Maps an offset after sorted edits to the text before them.
@@ -77,7 +77,7 @@ fn mark(removed: &mut [bool], index: usize) {
 /// Whether an `#extension` names an extension that is part of GLSL ES 3.00.
 fn is_core(rest: &[ScannedToken]) -> bool {
     let name = rest.first().map_or("", |t| t.text);
-    CORE_EXTENSIONS.iter().any(|(known, _)| *known == name)
+    GlExtension::of_directive(name).is_some_and(|known| !known.facts().built_in.is_empty())
 }
 
 fn is_invariant_all(rest: &[ScannedToken]) -> bool {

@@ -69,7 +69,7 @@ impl Preprocessor<'_> {
         let has = |extension| self.context.has(extension, self.version);
         let [both, only_300] = KNOWN_EXTENSIONS;
         let is_always = name == both || name == only_300 && self.version == Version::Es300;
-        is_always || GlExtension::named(name).is_some_and(has)
+        is_always || GlExtension::of_directive(name).is_some_and(has)
     }
 
     /// The kind of a reserved word: extensions of WebGL2 make some of them qualifiers that obey the rules of
@@ -98,7 +98,7 @@ impl Preprocessor<'_> {
     /// Reports `require` of an extension that does not exist here.
     fn refuse_extension(&mut self, span: Span, name: &str) {
         let webgl = self.context.webgl;
-        let known = GlExtension::named(name).map(GlExtension::facts);
+        let known = GlExtension::of_directive(name).map(GlExtension::facts);
         let message = match (known, webgl) {
             (Some(facts), _) if facts.exists_in(webgl) && facts.extends(self.version) => {
                 format!("extension `{name}` is not enabled")
