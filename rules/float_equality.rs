@@ -3,8 +3,8 @@
 use shaderlint_flow::Varying;
 use shaderlint_flow::ranges::{Interval, Rounding};
 use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::Scalar;
-use shaderlint_syntax::ast::{BinaryOp, ExprId};
+use shaderlint_semantic::{Scalar, Storage};
+use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 
 rule! { float_equality, Numeric, Warning, Recommended, Binary(check) }
 
@@ -51,6 +51,10 @@ enum EqualitySide {
 fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<EqualitySide> {
     let left = cx.facts.range(e.left).nth(component as usize)?;
     let right = cx.facts.range(e.right).nth(component as usize)?;
+    // Nothing was computed.
+    if is_read_of_uniform(cx, e.left) || is_read_of_uniform(cx, e.right) {
+        return None;
+    }
     let side = match (left.rounding, right.rounding) {
         (Rounding::Always, _) => EqualitySide::Left,
         (_, Rounding::Always) => EqualitySide::Right,
@@ -68,6 +72,19 @@ fn rounded_side(cx: &Context, e: &BinaryExpr, component: u8) -> Option<EqualityS
         || is_edge(right.single(), (&left, e.left))
         || may_be_copies(cx, e, component);
     (!is_meant).then_some(side)
+}
+
+fn is_read_of_uniform(cx: &Context, side: ExprId) -> bool {
+    let program = cx.program;
+    let mut object = program.tree.unparen(side);
+    while let ExprKind::Index(inner, _) | ExprKind::Member(inner, _) =
+        program.tree.expr(object).kind
+    {
+        object = program.tree.unparen(inner);
+    }
+    let variable = program.variable_of(object);
+    let variable = variable.and_then(|id| program.variable(id));
+    variable.is_some_and(|v| v.storage == Storage::Uniform)
 }
 
 /// Whether all pixels of a frame compute the same value.

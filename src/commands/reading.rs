@@ -110,6 +110,7 @@ fn describe(shader: &Shader, report: &Report) -> String {
     let part = part.map_or(String::new(), |p| format!(" ({p})"));
     let skipped = match (shader.completeness, &shader.skipped) {
         (_, SkippedRules::Nowhere) => String::new(),
+        (_, SkippedRules::Functions { names, .. }) if names.is_empty() => String::new(),
         (completeness, SkippedRules::Functions { names, .. }) => {
             let cause = match completeness {
                 Completeness::Complete => "because of errors",

@@ -78,7 +78,7 @@ pub(super) fn keep_certain(
     let dropped = count - diagnostics.len();
     let tokens = &part.program.tokens;
     let is_undecided = tokens.undecided.iter().any(|g| part.is_user(*g));
-    unclear.extend(tokens.forks.iter().map(|at| Span::at(*at)));
+    unclear.extend(&tokens.forks);
     unclear.extend(part.uses_of_groups());
     unclear.retain(|span| program.sources.is_user(span.start));
     unknown.sort_by_key(|d| d.span.start);

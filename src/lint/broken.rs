@@ -1,13 +1,14 @@
 //! Items of a shader with errors. Rules report nothing in them, and treat every name that occurs in them as
-//! used, written to and called.
+//! used, written to and called. Of a function that only uses names which are declared nowhere, the statements
+//! that contain them are meant; elsewhere in it nothing is reported about a name that occurs in these.
 
 use super::words::each_word;
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::{Diagnostic, Facet, Severity};
+use shaderlint_diagnostic::{Diagnostic, Facet, Lack, Severity};
 use shaderlint_semantic::CallGraph;
 use shaderlint_semantic::{Function, FunctionRef, Program, Type};
-use shaderlint_syntax::ast::{ExprKind, Item, StmtKind};
-use shaderlint_syntax::{Macro, Name, TokenKind};
+use shaderlint_syntax::ast::{ExprId, ExprKind, Extent, Item, Stmt, StmtId, StmtKind};
+use shaderlint_syntax::{Macro, Name, TokenKind, WordClass, classify};
 use shaderlint_text::{Role, Span};
 
 /// Longest span of a finding in a shader with errors, in bytes: its words are looked up one by one.
@@ -27,8 +28,12 @@ pub struct Obstacles<'d> {
 pub struct Broken<'a> {
     /// The items at global scope, in the order of the text, and whether they have errors.
     items: Vec<(Span, bool)>,
+    /// Statements and conditions that use unknown names, in the order of the text. None contains another.
+    unknown: Vec<Span>,
     /// The words in items with errors.
     words: FxHashSet<&'a str>,
+    /// Names of the shader in statements with unknown names.
+    unsure: FxHashSet<&'a str>,
     /// Names of functions that have errors, or call one that has.
     suspects: FxHashSet<Name>,
     /// By function: whether it has errors.
@@ -47,18 +52,33 @@ impl<'a> Broken<'a> {
             return broken;
         }
         broken.items = items(program);
-        let mut outside: Vec<u32> = obstacles.unclear.iter().map(|s| s.start).collect();
-        outside.retain(|at| !broken.mark(*at));
-        broken.mark_macros(program, outside);
-        errors().for_each(|d| broken.mark_error(program, d));
-        if !broken.any() {
+        let mut parts = StatementParts::of(program);
+        let mut outside = Vec::new();
+        for span in obstacles.unclear {
+            let is_group = program.sources.text(*span).starts_with('#');
+            let is_inside = is_group && broken.item(span.start).is_some();
+            let is_placed = is_inside && parts.mark_group(*span) || parts.mark(span.start);
+            if !is_placed && !broken.mark(span.start) {
+                outside.push(span.start);
+            }
+        }
+        broken.mark_macros(program, outside, &mut parts);
+        for d in errors() {
+            let is_name = d.lacks() == Some(Lack::Name) && !d.has(Facet::Moves);
+            if !is_name || !parts.mark(d.span.start) {
+                broken.mark_error(program, d, &mut parts);
+            }
+        }
+        if !broken.any() && !parts.any() {
             return Broken::default();
         }
         if broken.is_everything {
             return broken;
         }
-        broken.mark_unknown(program);
-        broken.mark_dependents(program);
+        broken.mark_unknown(program, &mut parts);
+        broken.mark_dependents(program, &mut parts);
+        parts.mark_loops(program);
+        broken.unknown = parts.marked();
         broken.read_words(program);
         broken.mark_functions(program);
         broken
@@ -66,7 +86,9 @@ impl<'a> Broken<'a> {
 
     /// Whether any item has errors.
     pub fn any(&self) -> bool {
-        self.is_everything || self.items.iter().any(|(_, is_broken)| *is_broken)
+        self.is_everything
+            || !self.unknown.is_empty()
+            || self.items.iter().any(|(_, is_broken)| *is_broken)
     }
 
     /// Whether no rule can run on the shader.
@@ -90,10 +112,15 @@ impl<'a> Broken<'a> {
         self.words.iter().copied()
     }
 
-    /// The spans of items with errors, in the order of the text.
-    pub fn spans(&self) -> impl Iterator<Item = Span> {
+    /// The spans with errors, in the order of the text.
+    pub fn spans(&self) -> Vec<Span> {
         let broken = self.items.iter().filter(|(_, is_broken)| *is_broken);
-        broken.map(|(span, _)| *span)
+        let broken = broken
+            .map(|(span, _)| *span)
+            .chain(self.unknown.iter().copied());
+        let mut all: Vec<Span> = broken.collect();
+        all.sort_unstable();
+        all
     }
 
     /// Whether a finding does not depend on an item with errors.
@@ -108,6 +135,7 @@ impl<'a> Broken<'a> {
         each_word(program.sources.text(finding.span), |word| {
             let name = program.names.get(word);
             is_clear &= !name.is_some_and(|n| self.suspects.contains(&n));
+            is_clear &= !self.unsure.contains(word);
         });
         is_clear
     }
@@ -117,23 +145,26 @@ impl<'a> Broken<'a> {
         let from = self.items.partition_point(|(s, _)| s.end < span.start);
         let inside = self.items.iter().skip(from);
         let mut inside = inside.take_while(|(s, _)| s.start <= span.end);
-        inside.any(|(_, is_broken)| *is_broken)
+        let after = self.unknown.partition_point(|s| s.end < span.start);
+        let next = self.unknown.get(after);
+        inside.any(|(_, is_broken)| *is_broken) || next.is_some_and(|s| s.start <= span.end)
+    }
+
+    /// The item at an address.
+    fn item(&mut self, address: u32) -> Option<&mut bool> {
+        let after = self.items.partition_point(|(s, _)| s.start <= address);
+        let item = after.checked_sub(1).and_then(|i| self.items.get_mut(i));
+        let item = item.filter(|(span, _)| address <= span.end);
+        item.map(|(_, is_broken)| is_broken)
     }
 
     /// Marks the item at an address; returns whether there is one.
     fn mark(&mut self, address: u32) -> bool {
-        let after = self.items.partition_point(|(s, _)| s.start <= address);
-        let item = after.checked_sub(1).and_then(|i| self.items.get_mut(i));
-        match item.filter(|(span, _)| address <= span.end) {
-            Some((_, is_broken)) => {
-                *is_broken = true;
-                true
-            }
-            None => false,
-        }
+        let item = self.item(address);
+        item.map(|is_broken| *is_broken = true).is_some()
     }
 
-    fn mark_error(&mut self, program: &Program, error: &Diagnostic) {
+    fn mark_error(&mut self, program: &Program, error: &Diagnostic, parts: &mut StatementParts) {
         // A missing or extra brace, or an unclosed conditional, moves the boundaries of items.
         self.is_everything |= error.subject.is_brace() || error.has(Facet::Moves);
         let calls = error.macros.iter().map(|m| m.call);
@@ -143,13 +174,18 @@ impl<'a> Broken<'a> {
             self.mark(other.start);
         }
         let at = error.span.start;
-        let is_placed = self.mark(at) || self.mark_macros(program, vec![at]);
+        let is_placed = self.mark(at) || self.mark_macros(program, vec![at], parts);
         self.is_everything |= !is_placed;
     }
 
     /// Marks all uses of the macros whose definitions contain one of the addresses; returns whether there is
     /// one.
-    fn mark_macros(&mut self, program: &Program, mut addresses: Vec<u32>) -> bool {
+    fn mark_macros(
+        &mut self,
+        program: &Program,
+        mut addresses: Vec<u32>,
+        parts: &mut StatementParts,
+    ) -> bool {
         addresses.sort_unstable();
         let tokens = &program.tokens;
         let extent = |m: &Macro| {
@@ -169,33 +205,40 @@ impl<'a> Broken<'a> {
         for token in tokens.tokens.iter().filter(|t| !t.is_direct()) {
             let next = holding.partition_point(|s| s.start <= token.spelled);
             let holder = next.checked_sub(1).and_then(|i| holding.get(i));
-            if holder.is_some_and(|s| token.spelled <= s.end) {
+            let is_held = holder.is_some_and(|s| token.spelled <= s.end);
+            if is_held && !parts.mark(token.span.start) {
                 self.mark(token.span.start);
             }
         }
         true
     }
 
-    /// Marks items with an invalid expression or statement, reported or not.
-    fn mark_unknown(&mut self, program: &Program) {
+    /// Marks what contains an invalid expression or statement, reported or not.
+    fn mark_unknown(&mut self, program: &Program, parts: &mut StatementParts) {
         let tree = &program.tree;
         let exprs = tree.exprs.iter().zip(&program.exprs);
         let exprs = exprs.filter(|(e, info)| e.kind == ExprKind::Error || info.ty == Type::ERROR);
         let stmts = tree.stmts.iter().filter(|s| s.kind == StmtKind::Error);
         let variables = program.variables.iter().filter(|v| v.ty == Type::ERROR);
         let tokens = exprs
+            .filter(|(e, _)| e.kind != ExprKind::Error)
             .map(|(e, _)| e.extent.first)
-            .chain(stmts.map(|s| s.extent.first))
             .chain(variables.filter_map(|v| v.token));
-        for token in tokens {
-            if let Some(token) = program.token(token) {
+        for token in tokens.filter_map(|token| program.token(token)) {
+            if !parts.mark(token.span.start) {
                 self.mark(token.span.start);
             }
         }
+        let lost = tree.exprs.iter().filter(|e| e.kind == ExprKind::Error);
+        let lost = lost.map(|e| e.extent.first);
+        let lost = lost.chain(stmts.map(|s| s.extent.first));
+        for token in lost.filter_map(|token| program.token(token)) {
+            self.mark(token.span.start);
+        }
     }
 
-    /// Marks items that use a name whose declaration has errors, or was lost.
-    fn mark_dependents(&mut self, program: &Program) {
+    /// Marks what uses a name whose declaration has errors, or was lost.
+    fn mark_dependents(&mut self, program: &Program, parts: &mut StatementParts) {
         let tree = &program.tree;
         let mut lost: FxHashSet<Name> = tree.lost.iter().copied().collect();
         let globals = program.variables.iter().filter(|v| v.function.is_none());
@@ -218,7 +261,7 @@ impl<'a> Broken<'a> {
         };
         for token in &program.tokens.tokens {
             let is_lost = token.kind == TokenKind::Identifier && lost.contains(&Name(token.value));
-            if is_lost && is_user(token.span) {
+            if is_lost && is_user(token.span) && !parts.mark(token.span.start) {
                 self.mark(token.span.start);
             }
         }
@@ -226,11 +269,22 @@ impl<'a> Broken<'a> {
 
     fn read_words(&mut self, program: &'a Program) {
         let lost = program.tree.lost.iter().map(|n| program.names.text(*n));
-        let broken = self.items.iter().filter(|(_, is_broken)| *is_broken);
         let mut words = FxHashSet::default();
-        for (span, _) in broken {
-            each_word(program.sources.text(*span), |word| {
+        for span in self.spans() {
+            each_word(program.sources.text(span), |word| {
                 words.insert(word);
+            });
+        }
+        // Functions of the language and types are the same everywhere.
+        let is_own = |word: &str| {
+            let class = classify(word, program.version);
+            matches!(class, WordClass::Plain) && program.builtins().function(word).is_none()
+        };
+        for span in &self.unknown {
+            each_word(program.sources.text(*span), |word| {
+                if is_own(word) {
+                    self.unsure.insert(word);
+                }
             });
         }
         // Names in macro expansions count as well.
@@ -249,16 +303,19 @@ impl<'a> Broken<'a> {
     }
 
     fn mark_functions(&mut self, program: &Program) {
-        let is_broken = |f: &Function| {
-            let decl = f.definition.or(Some(f.declaration));
-            let decl = decl.and_then(|d| program.tree.function(d));
-            decl.is_some_and(|d| self.touches(program.span(d.extent)))
+        let extent = |f: &Function| {
+            let decl = program.tree.function(f.definition.unwrap_or(f.declaration));
+            decl.map(|d| program.span(d.extent))
         };
+        let is_suspect = |f: &Function| extent(f).is_some_and(|span| self.touches(span));
+        let mut suspect: Vec<bool> = program.functions.iter().map(is_suspect).collect();
+        let unknown = std::mem::take(&mut self.unknown);
+        let is_broken = |f: &Function| extent(f).is_some_and(|span| self.touches(span));
         self.functions = program.functions.iter().map(is_broken).collect();
+        self.unknown = unknown;
         let calls = CallGraph::of(program);
-        let mut suspect = self.functions.clone();
-        let all = (0..suspect.len() as u32).map(FunctionRef);
-        let mut todo: Vec<FunctionRef> = all.filter(|f| self.function(*f)).collect();
+        let all = (0..).map(FunctionRef).zip(&suspect);
+        let mut todo: Vec<FunctionRef> = all.filter(|(_, is)| **is).map(|(f, _)| f).collect();
         while let Some(next) = todo.pop() {
             for caller in calls.callers(next) {
                 if let Some(is_suspect @ false) = suspect.get_mut(caller.0 as usize) {
@@ -270,6 +327,109 @@ impl<'a> Broken<'a> {
         let named = program.functions.iter().zip(&suspect);
         let named = named.filter(|(_, is_suspect)| **is_suspect);
         self.suspects.extend(named.map(|(f, _)| f.name));
+    }
+}
+
+/// The statements of a shader without others in them, and the heads of the others.
+struct StatementParts {
+    /// In the order of the text, and whether they are marked. None contains another.
+    parts: Vec<(Span, bool)>,
+    /// Marked groups of `#if`.
+    groups: Vec<Span>,
+}
+
+impl StatementParts {
+    fn of(program: &Program) -> StatementParts {
+        let tree = &program.tree;
+        let of_expr = |id: ExprId| tree.expr(id).extent;
+        let head = |stmt: &Stmt, body: StmtId| Extent {
+            first: stmt.extent.first,
+            last: tree.stmt(body).extent.first.saturating_sub(1),
+        };
+        let part = |stmt: &Stmt| match stmt.kind {
+            StmtKind::Expr(_) | StmtKind::Decl(_) | StmtKind::Return(_) => Some(stmt.extent),
+            StmtKind::If { then, .. } => Some(head(stmt, then)),
+            StmtKind::For { body, .. } | StmtKind::While { body, .. } => Some(head(stmt, body)),
+            StmtKind::Switch { selector, .. } => Some(of_expr(selector)),
+            StmtKind::Do { .. } => Some(Extent::token(stmt.extent.first)),
+            _ => None,
+        };
+        // The statements in a head belong to it.
+        let inner = tree.stmts.iter().flat_map(|stmt| match stmt.kind {
+            StmtKind::For {
+                init, condition, ..
+            } => [Some(init), condition],
+            StmtKind::While { condition, .. } => [Some(condition), None],
+            _ => [None; 2],
+        });
+        let inner: FxHashSet<StmtId> = inner.flatten().collect();
+        let stmts = tree.stmts.iter().zip((0..).map(StmtId));
+        let extents = stmts
+            .filter(|(_, id)| !inner.contains(id))
+            .filter_map(|(stmt, _)| part(stmt));
+        let ends = tree.stmts.iter().filter_map(|stmt| match stmt.kind {
+            StmtKind::Do { condition, .. } => Some(of_expr(condition)),
+            _ => None,
+        });
+        let extents = extents.chain(ends);
+        let mut parts: Vec<(Span, bool)> = extents.map(|e| (program.span(e), false)).collect();
+        parts.sort_unstable();
+        StatementParts {
+            parts,
+            groups: Vec::new(),
+        }
+    }
+
+    /// Marks the part at an address; returns whether there is one.
+    fn mark(&mut self, address: u32) -> bool {
+        let after = self.parts.partition_point(|(s, _)| s.start <= address);
+        let part = after.checked_sub(1).and_then(|i| self.parts.get_mut(i));
+        let part = part.filter(|(span, _)| address < span.end);
+        part.map(|(_, is_marked)| *is_marked = true).is_some()
+    }
+
+    /// Marks a group and the parts that it touches.
+    fn mark_group(&mut self, group: Span) -> bool {
+        let from = self.parts.partition_point(|(s, _)| s.end < group.start);
+        let after = self.parts.iter_mut().skip(from);
+        let inside = after.take_while(|(s, _)| s.start <= group.end);
+        inside.for_each(|(_, is_marked)| *is_marked = true);
+        self.groups.push(group);
+        true
+    }
+
+    /// Marks the heads of loops with something marked in them: it may decide when they end.
+    fn mark_loops(&mut self, program: &Program) {
+        let marked = self.parts.iter().filter(|(_, is_marked)| *is_marked);
+        let mut marked: Vec<Span> = marked.map(|(span, _)| *span).collect();
+        marked.extend(&self.groups);
+        marked.sort_unstable();
+        let loops = program.tree.stmts.iter().filter(|s| s.kind.is_loop());
+        for span in loops.map(|stmt| program.span(stmt.extent)) {
+            let next = marked.partition_point(|s| s.start < span.start);
+            if marked.get(next).is_some_and(|s| s.start <= span.end) {
+                self.mark(span.start);
+            }
+        }
+    }
+
+    fn any(&self) -> bool {
+        !self.groups.is_empty() || self.parts.iter().any(|(_, is_marked)| *is_marked)
+    }
+
+    /// What is marked, in the order of the text and without overlaps.
+    fn marked(self) -> Vec<Span> {
+        let marked = self.parts.into_iter().filter(|(_, is_marked)| *is_marked);
+        let mut all: Vec<Span> = marked.map(|(span, _)| span).chain(self.groups).collect();
+        all.sort_unstable();
+        let mut apart: Vec<Span> = Vec::with_capacity(all.len());
+        for span in all {
+            match apart.last_mut() {
+                Some(last) if span.start <= last.end => *last = last.to(span),
+                _ => apart.push(span),
+            }
+        }
+        apart
     }
 }
 

@@ -72,7 +72,7 @@ pub fn lint_within(
     });
     SkippedRules::Functions {
         names: broken_functions(program, &facts.broken),
-        broken: facts.broken.spans().collect(),
+        broken: facts.broken.spans(),
     }
 }
 

@@ -122,7 +122,7 @@ impl Preprocessor<'_> {
     pub(super) fn close_group(&mut self, group: &ConditionGroup, end: u32) {
         if group.is_undecided && end >= group.start.start {
             self.out.undecided.push(Span::new(group.start.start, end));
-            self.out.forks.extend([group.start.start, end]);
+            self.out.forks.push(Span::new(group.start.start, end));
         }
     }
 

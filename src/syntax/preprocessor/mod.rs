@@ -58,8 +58,8 @@ pub struct Tokens {
     /// Groups from `#if` to `#endif` whose condition tests an undefined name, in source order, without
     /// those inside another one. Include guards are not listed.
     pub undecided: Vec<Span>,
-    /// Where each such group starts and ends, also those inside another one.
-    pub forks: Vec<u32>,
+    /// Each such group, also those inside another one.
+    pub forks: Vec<Span>,
     /// The inactive code of such groups, without what other conditions inside them make
     /// inactive, in the order of addresses.
     pub alternatives: Vec<Span>,
