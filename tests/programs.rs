@@ -386,7 +386,7 @@ fn functions_that_a_host_calls_are_checked_with_its_names() {
 #[test]
 fn a_macro_that_the_script_defines_is_not_missing() {
     let shader = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
-        void main() {\nfor (int i = 0; i < STEPS; i++) color += vec4(0.1);\n}\n";
+        void main() {\ncolor = vec4(0.0);\nfor (int i = 0; i < STEPS; i++) color += vec4(0.1);\n}\n";
     let script = |defines: &str| {
         format!("import frag from './a.frag';\nnew Material({{ frag, {defines} }});\n")
     };
@@ -399,7 +399,7 @@ fn a_macro_that_the_script_defines_is_not_missing() {
         ],
         &[],
     );
-    let error = "a.frag:5:21: error[undeclared-name]: `STEPS` is not declared";
+    let error = "a.frag:6:21: error[undeclared-name]: `STEPS` is not declared";
     let other = script("steps: 3");
     check(
         &[("a.frag", shader), ("b.js", &other), ("package.json", "{}")],

@@ -6,7 +6,7 @@ use super::words::each_word;
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Diagnostic, Facet, Lack, Severity};
 use shaderlint_semantic::CallGraph;
-use shaderlint_semantic::{Function, FunctionRef, Program, Type};
+use shaderlint_semantic::{Function, FunctionRef, Program, Storage, Type, Variable};
 use shaderlint_syntax::ast::{ExprId, ExprKind, Extent, Item, Stmt, StmtId, StmtKind};
 use shaderlint_syntax::{Macro, Name, TokenKind, WordClass, classify};
 use shaderlint_text::{Role, Span};
@@ -32,8 +32,9 @@ pub struct Broken<'a> {
     unknown: Vec<Span>,
     /// The words in items with errors.
     words: FxHashSet<&'a str>,
-    /// Names of the shader in statements with unknown names.
-    unsure: FxHashSet<&'a str>,
+    /// Names of the shader in statements with unknown names, each with the index of the item; without one
+    /// if it is a global name.
+    unsure: FxHashSet<(Option<usize>, &'a str)>,
     /// Names of functions that have errors, or call one that has.
     suspects: FxHashSet<Name>,
     /// By function: whether it has errors.
@@ -56,7 +57,7 @@ impl<'a> Broken<'a> {
         let mut outside = Vec::new();
         for span in obstacles.unclear {
             let is_group = program.sources.text(*span).starts_with('#');
-            let is_inside = is_group && broken.item(span.start).is_some();
+            let is_inside = is_group && broken.index_of(span.start).is_some();
             let is_placed = is_inside && parts.mark_group(*span) || parts.mark(span.start);
             if !is_placed && !broken.mark(span.start) {
                 outside.push(span.start);
@@ -132,10 +133,12 @@ impl<'a> Broken<'a> {
             return false;
         }
         let mut is_clear = true;
+        let item = self.index_of(finding.span.start);
         each_word(program.sources.text(finding.span), |word| {
             let name = program.names.get(word);
             is_clear &= !name.is_some_and(|n| self.suspects.contains(&n));
-            is_clear &= !self.unsure.contains(word);
+            let is_unsure = |item| self.unsure.contains(&(item, word));
+            is_clear &= !is_unsure(item) && !is_unsure(None);
         });
         is_clear
     }
@@ -150,18 +153,18 @@ impl<'a> Broken<'a> {
         inside.any(|(_, is_broken)| *is_broken) || next.is_some_and(|s| s.start <= span.end)
     }
 
-    /// The item at an address.
-    fn item(&mut self, address: u32) -> Option<&mut bool> {
+    /// The index of the item at an address.
+    fn index_of(&self, address: u32) -> Option<usize> {
         let after = self.items.partition_point(|(s, _)| s.start <= address);
-        let item = after.checked_sub(1).and_then(|i| self.items.get_mut(i));
-        let item = item.filter(|(span, _)| address <= span.end);
-        item.map(|(_, is_broken)| is_broken)
+        let index = after.checked_sub(1)?;
+        let (span, _) = self.items.get(index)?;
+        (address <= span.end).then_some(index)
     }
 
     /// Marks the item at an address; returns whether there is one.
     fn mark(&mut self, address: u32) -> bool {
-        let item = self.item(address);
-        item.map(|is_broken| *is_broken = true).is_some()
+        let item = self.index_of(address).and_then(|i| self.items.get_mut(i));
+        item.map(|(_, is_broken)| *is_broken = true).is_some()
     }
 
     fn mark_error(&mut self, program: &Program, error: &Diagnostic, parts: &mut StatementParts) {
@@ -275,15 +278,37 @@ impl<'a> Broken<'a> {
                 words.insert(word);
             });
         }
-        // Functions of the language and types are the same everywhere.
+        // Functions of the language, types and what the shader cannot change are the same everywhere.
+        let is_fixed =
+            |v: &Variable| v.is_const || matches!(v.storage, Storage::Uniform | Storage::Input);
+        let (fixed, others): (Vec<&Variable>, Vec<&Variable>) =
+            program.variables.iter().partition(|v| is_fixed(v));
+        let mut fixed: FxHashSet<Name> = fixed.iter().map(|v| v.name).collect();
+        for variable in &others {
+            fixed.remove(&variable.name);
+        }
         let is_own = |word: &str| {
             let class = classify(word, program.version);
-            matches!(class, WordClass::Plain) && program.builtins().function(word).is_none()
+            let is_fixed = program
+                .names
+                .get(word)
+                .is_some_and(|name| fixed.contains(&name));
+            let is_language = program.builtins().function(word).is_some();
+            matches!(class, WordClass::Plain) && !is_fixed && !is_language
         };
+        let globals = others
+            .iter()
+            .filter(|v| v.function.is_none())
+            .map(|v| v.name);
+        let functions = program.functions.iter().map(|f| f.name);
+        let globals: FxHashSet<Name> = globals.chain(functions).collect();
         for span in &self.unknown {
+            let item = self.index_of(span.start);
             each_word(program.sources.text(*span), |word| {
+                let name = program.names.get(word);
+                let is_global = name.is_none_or(|name| globals.contains(&name));
                 if is_own(word) {
-                    self.unsure.insert(word);
+                    self.unsure.insert((item.filter(|_| !is_global), word));
                 }
             });
         }

@@ -275,8 +275,7 @@ float late(vec2 p) { float k; return p.x + k; }
     let found: Vec<&str> = found.filter_map(|l| l.get(..l.find(": ")?)).collect();
     assert_eq!(found, ["a.glsl:8:45"], "{}", ran.out);
     let ran = scratch.run(&["-v", "a.glsl"]);
-    let skipped = "Rules skipped 5 functions with errors or unknown names: `soft`, `split`, `calls`, `macro`, `open`\n";
-    assert!(ran.out.contains(skipped), "{}", ran.out);
+    assert!(!ran.out.contains("Rules skipped"), "{}", ran.out);
     // Without anything of a host, all is checked.
     scratch.write("a.glsl", "float half_of(float x) { return x / 2.0; }\n");
     let out = scratch.run(&["a.glsl"]).out;
@@ -290,7 +289,8 @@ fn unchecked_names_are_summarised() {
         ("b.glsl", "float g() { return x; }"),
     ]);
     let out = scratch.run(&["."]).out;
-    let short = "Not fully checked: 2 functions (-v lists them); set `[host]` in shaderlint.toml to check more";
+    let short =
+        "Not fully checked: 2 files (-v lists them); set `[host]` in shaderlint.toml to check more";
     assert!(out.ends_with(&format!("{short}\n")), "{out}");
     let ran = scratch.run(&["-v", "."]);
     let last = "2 files are shader fragments using names from a host: `x`, `y`; set `[host]` in shaderlint.toml to check them";

@@ -207,3 +207,50 @@ fn sksl_is_recognised_by_its_types() {
         &["1:1: info[unsupported-version]: WebGL does not support SkSL"],
     );
 }
+
+#[test]
+fn rules_run_where_names_are_unknown() {
+    let code = "uniform sampler2D image;
+varying vec2 uv;
+void main() {
+    vec3 c = shade(uv);
+    float k = clamp(0.0, 1.0, uv.x);
+    float late = 1.0 / (c.x - c.x);
+    for (int i = 0; i < STEPS; i++) k *= 0.5;
+#ifdef FOG
+    float fog;
+    k *= fog;
+#endif
+    while (k > 0.0) k -= step(c.x, k);
+    gl_FragColor = vec4(c, k * late);
+}
+";
+    check(
+        &[("a.glsl", code)],
+        &[
+            "4:14: info[undeclared-name]: 2 names are not declared in this file: `STEPS`, `shade`",
+            "5:15: warning[clamp-bounds]: `clamp` has its arguments in the wrong order: the value comes first",
+        ],
+    );
+}
+
+#[test]
+fn functions_of_files_that_a_script_joins_are_warnings() {
+    let shader = "precision highp float;\nvoid main() { gl_FragColor = vec4(glow(1.0)); }\n";
+    let part = ("part.glsl", "float glow(float x) { return x * x; }\n");
+    let of = |severity: &str| {
+        format!("2:35: {severity}[undeclared-name]: function `glow` is not declared")
+    };
+    check(
+        &[("a.frag", shader), part, ("package.json", "{}")],
+        &[&of("error")],
+    );
+    let script = "load(['part.glsl', 'a.frag'].map((path) => fetch(path)));";
+    let files = [
+        ("a.frag", shader),
+        part,
+        ("a.js", script),
+        ("package.json", "{}"),
+    ];
+    check(&files, &[&of("warning")]);
+}

@@ -6,5 +6,5 @@ out highp int gl_SampleMask[1];
 in highp float gl_ClipDistance[8];
 in highp float gl_CullDistance[8];
 genType interpolateAtCentroid(genType interpolant);
-genType interpolateAtSample(genType interpolant, int sample);
+genType interpolateAtSample(genType interpolant, int number);
 genType interpolateAtOffset(genType interpolant, vec2 offset);
