@@ -457,3 +457,71 @@ fn placeholders_in_complete_shaders_are_left_open() {
     check(&[("a.frag", &shader("%%count%%", "##DEFINES##"))], &[]);
     check(&[("a.frag", &shader("$(count)", ""))], &[]);
 }
+
+/// A page that compiles a shader in a context, with the findings.
+#[track_caller]
+fn check_context(script: &str, shader: &str, expected: &[&str]) {
+    let page = format!(
+        "<script>\n{script}\nconst code = `{shader}`;\ngl.shaderSource(gl.createShader(gl.FRAGMENT_SHADER), code);\n</script>\n"
+    );
+    check(&[("a.html", &page), ("package.json", "{}")], expected);
+}
+
+#[test]
+fn the_context_of_a_page_decides_on_extensions() {
+    let one = "const gl = canvas.getContext('webgl');";
+    let enabled = &format!("{one} gl.getExtension('OES_standard_derivatives');");
+    let directive = "#extension GL_OES_standard_derivatives : enable\n";
+    let rest = "precision highp float;\nvarying vec2 uv;\nvoid main() { gl_FragColor = vec4(fwidth(uv), 0, 1); }\n";
+    let shader = &format!("{directive}{rest}");
+    check_context(enabled, shader, &[]);
+    check_context(
+        one,
+        shader,
+        &[
+            "a.html:6:35: error[missing-extension]: `fwidth` needs the extension `OES_standard_derivatives`",
+        ],
+    );
+    check_context(
+        enabled,
+        rest,
+        &[
+            "a.html:5:35: error[missing-extension]: `fwidth` needs `#extension GL_OES_standard_derivatives : enable`",
+        ],
+    );
+    check_context(
+        &enabled.replace("webgl", "webgl2"),
+        shader,
+        &["a.html:6:35: error[needs-webgl2]: `fwidth` requires GLSL ES 3.00"],
+    );
+    // Another script may enable it.
+    let open = &format!("import {{ prepare }} from './prepare.js'; {one} prepare(gl);");
+    check_context(
+        open,
+        shader,
+        &[
+            "a.html:6:35: warning[extension-not-enabled]: `fwidth` requires `OES_standard_derivatives` to be enabled",
+        ],
+    );
+    let new = "#version 300 es\nprecision highp float;\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
+    check_context(
+        one,
+        new,
+        &[
+            "a.html:3:15: error[unsupported-version]: a WebGL1 context does not compile GLSL ES 3.00",
+        ],
+    );
+}
+
+#[test]
+fn a_default_precision_of_the_script_is_not_missing() {
+    let script = "const head = 'precision highp float;';\nconst gl = make(head);";
+    let shader = "uniform float x;\nvoid main() { gl_FragColor = vec4(x); }\n";
+    check_context(script, shader, &[]);
+    let script = "const gl = canvas.getContext('webgl');";
+    check_context(
+        script,
+        shader,
+        &["a.html:3:23: error[missing-precision]: missing precision for `float`"],
+    );
+}

@@ -229,7 +229,7 @@ void main() {
         &[("a.glsl", code)],
         &[
             "4:14: info[undeclared-name]: 2 names are not declared in this file: `STEPS`, `shade`",
-            "5:15: warning[clamp-bounds]: `clamp` has its arguments in the wrong order: the value comes first",
+            "5:15: warning[clamp-bounds]: arguments of `clamp` appear to be in the wrong order",
         ],
     );
 }
