@@ -54,7 +54,7 @@ impl FaultyShader<'_> {
         if let [only] = open.as_slice() {
             self.unclosed_bracket(d, *only, all);
         } else if open.len() > 1 {
-            self.unclosed_brackets(d, &open, all);
+            all.extend(self.unclosed_brackets(d, &open));
         }
         if let [only] = close.as_slice() {
             self.unopened_bracket(d, *only, all);
@@ -106,20 +106,20 @@ impl FaultyShader<'_> {
     }
 
     /// Several brackets are unclosed: closes all of them at the end.
-    fn unclosed_brackets(&self, d: &Definition, open: &[usize], all: &mut Vec<RepairCandidate>) {
+    fn unclosed_brackets(&self, d: &Definition, open: &[usize]) -> Option<RepairCandidate> {
         let kinds = open.iter().rev().filter_map(|&i| d.of.body.get(i));
         let symbols: String = kinds
             .filter_map(|p| partner(p.token.kind))
             .map(|(_, _, right)| right)
             .collect();
-        let Some(last) = d.last() else { return };
+        let last = d.last()?;
         let at = last.token.span.end;
         let found = self.lacks(d, at, &symbols);
         let fix = Fix::suggestion(
             format!("add `{symbols}`"),
             vec![Edit::insert(at, symbols.clone())],
         );
-        all.push(d.candidate(found, fix));
+        Some(d.candidate(found, fix))
     }
 
     fn unopened_bracket(&self, d: &Definition, close: usize, all: &mut Vec<RepairCandidate>) {

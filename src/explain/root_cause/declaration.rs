@@ -30,7 +30,7 @@ impl FaultyShader<'_> {
         for d in self.errors.iter().take(MAX_LOOKED_AT) {
             if d.is(error::NOT_CONSTANT) {
                 self.lost_const(d, &mut all);
-                self.computed_value(d, &mut all);
+                all.extend(self.computed_value(d));
             }
             if d.is(error::CONSTRUCTOR_ARGUMENTS) || d.is(error::TYPE_MISMATCH) {
                 self.array_size(d, &mut all);
@@ -48,7 +48,7 @@ impl FaultyShader<'_> {
         let mut all = Vec::new();
         let errors = self.errors.iter().take(MAX_LOOKED_AT);
         let unknown = errors.filter(|d| d.is(error::UNDECLARED_NAME) && d.fix.is_none());
-        unknown.for_each(|d| self.lost_type(d, &mut all));
+        unknown.for_each(|d| all.extend(self.lost_type(d)));
         all
     }
 
@@ -78,17 +78,13 @@ impl FaultyShader<'_> {
     }
 
     /// `vec2 r = iResolution.xy;` at global scope: the entry function assigns it.
-    fn computed_value(&self, d: &Diagnostic, all: &mut Vec<RepairCandidate>) {
+    fn computed_value(&self, d: &Diagnostic) -> Option<RepairCandidate> {
         let (program, tree) = (self.program, &self.program.tree);
         let is_meant = |of: &Declarator| of.init.is_some_and(|e| program.expr_span(e) == d.span);
-        let Some((of, init)) = self.global_declaration(is_meant) else {
-            return;
-        };
+        let (of, init) = self.global_declaration(is_meant)?;
         let entry = program.entry().and_then(|f| program.function(f));
         let entry = entry.and_then(|f| tree.function(f.definition?));
-        let Some((entry, body)) = entry.and_then(|f| Some((f, f.body?))) else {
-            return;
-        };
+        let (entry, body) = entry.and_then(|f| Some((f, f.body?)))?;
         let name = program.sources.text(self.name_span(of.declarator));
         let before = Span::new(self.end_of_header(of.declarator), d.span.end);
         let mut edits = self.without_const(&of);
@@ -100,7 +96,7 @@ impl FaultyShader<'_> {
         let fix = Fix::safe(format!("assign it at the start of `{entry}`"), edits);
         let mut found = RepairCandidate::of_error(d, fix);
         found.diagnostic.help.clear();
-        all.push(found);
+        Some(found)
     }
 
     /// Where a function can compute a value first: at its start, but after assignments of variables that the
@@ -176,7 +172,7 @@ impl FaultyShader<'_> {
     }
 
     /// `c = vec3(0.0);` before any declaration of `c`.
-    fn lost_type(&self, d: &Diagnostic, all: &mut Vec<RepairCandidate>) {
+    fn lost_type(&self, d: &Diagnostic) -> Option<RepairCandidate> {
         let (program, tree) = (self.program, &self.program.tree);
         let value = tree.stmts.iter().find_map(|stmt| match stmt.kind {
             StmtKind::Expr(id) => match tree.expr(id).kind {
@@ -188,13 +184,11 @@ impl FaultyShader<'_> {
             _ => None,
         });
         let ty = value.map(|value| program.ty(value));
-        let Some(ty) = ty.filter(|ty| !ty.is_error() && !ty.is_array()) else {
-            return;
-        };
+        let ty = ty.filter(|ty| !ty.is_error() && !ty.is_array())?;
         let (ty, name) = (program.type_name(ty), program.sources.text(d.span));
         let edits = vec![Edit::insert(d.span.start, format!("{ty} "))];
         let title = format!("declare it: `{ty} {name}`");
-        all.push(RepairCandidate::of_error(d, Fix::suggestion(title, edits)));
+        Some(RepairCandidate::of_error(d, Fix::suggestion(title, edits)))
     }
 
     /// A variable that is used after the block that declares it: it is declared before the block.

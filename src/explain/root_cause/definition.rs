@@ -50,9 +50,9 @@ impl FaultyShader<'_> {
                 continue;
             };
             self.equals_and_semicolon(&d, &mut all);
-            self.blank_before_params(&d, &mut all);
-            self.returned(&d, &mut all);
-            self.broken_line(&d, &mut all);
+            all.extend(self.blank_before_params(&d));
+            all.extend(self.returned(&d));
+            all.extend(self.broken_line(&d));
             self.brackets(&d, &mut all);
             self.edge_operators(&d, &mut all);
             self.empty_body(&d, &mut all);
@@ -101,37 +101,27 @@ impl FaultyShader<'_> {
         let (Some(first), Some(last)) = (d.first(), d.last()) else {
             return;
         };
+        let (start, end) = (first.token.span, last.token.span);
         let head = matches!(first.token.kind, TokenKind::Equal | TokenKind::Colon);
-        let next =
-            d.of.body
-                .get(1)
-                .map_or(first.token.span.end, |p| p.token.span.start);
+        let next = d.of.body.get(1).map_or(start.end, |p| p.token.span.start);
         let head = head.then(|| {
-            let what = self.text(first.token.span);
-            let d = d
-                .faulty(
-                    first.token.span,
-                    format!("the definition of macro `{}` starts with `{what}`", d.name),
-                )
-                .mark("inserted at every use")
-                .note("a macro definition has no `=` after the name (section 3.4)");
+            let what = self.text(start);
+            let message = format!("the definition of macro `{}` starts with `{what}`", d.name);
+            let note = "a macro definition has no `=` after the name (section 3.4)";
+            let d = d.faulty(start, message).mark("inserted at every use");
             (
-                Edit::delete(Span::new(first.token.span.start, next)),
+                Edit::delete(Span::new(start.start, next)),
                 what,
-                d,
+                d.note(note),
             )
         });
         let tail = matches!(last.token.kind, TokenKind::Semicolon | TokenKind::Comma);
         let tail = tail.then(|| {
-            let what = self.text(last.token.span);
-            let d = d
-                .faulty(
-                    last.token.span,
-                    format!("the definition of macro `{}` ends with `{what}`", d.name),
-                )
-                .mark("inserted at every use")
-                .note("preprocessor directives do not end with `;` (section 3.4)");
-            (Edit::delete(last.token.span), what, d)
+            let what = self.text(end);
+            let message = format!("the definition of macro `{}` ends with `{what}`", d.name);
+            let note = "preprocessor directives do not end with `;` (section 3.4)";
+            let d = d.faulty(end, message).mark("inserted at every use");
+            (Edit::delete(end), what, d.note(note))
         });
         if let (Some((e, _, found)), Some((f, _, _))) = (&head, &tail) {
             let fix = Fix::safe("keep only the value", vec![e.clone(), f.clone()]);
@@ -143,13 +133,11 @@ impl FaultyShader<'_> {
     }
 
     /// `#define SQ (x) x*x`
-    fn blank_before_params(&self, d: &Definition, all: &mut Vec<RepairCandidate>) {
-        let Some(first) = d.first().filter(|_| d.of.params.is_none()) else {
-            return;
-        };
+    fn blank_before_params(&self, d: &Definition) -> Option<RepairCandidate> {
+        let first = d.first().filter(|_| d.of.params.is_none())?;
         let mut kinds = d.of.body.iter().map(|p| p.token.kind);
         if kinds.next() != Some(TokenKind::LeftParen) {
-            return;
+            return None;
         }
         let mut expects_name = true;
         for kind in kinds {
@@ -158,28 +146,22 @@ impl FaultyShader<'_> {
                     expects_name = !expects_name
                 }
                 (TokenKind::RightParen, _) => break,
-                _ => return,
+                _ => return None,
             }
         }
         let gap = Span::new(d.of.name_span.end, first.token.span.start);
-        let found = d
-            .faulty(
-                gap,
-                format!("space between macro `{}` and its parameters", d.name),
-            )
-            .mark("no space allowed here")
-            .note(format!(
-                "with the space, `{}` has no parameters and expands to the rest of the line",
-                d.name
-            ));
-        all.push(d.candidate(
-            found,
-            Fix::safe("remove the space", vec![Edit::delete(gap)]),
-        ));
+        let message = format!("space between macro `{}` and its parameters", d.name);
+        let note = format!(
+            "with the space, `{}` has no parameters and expands to the rest of the line",
+            d.name
+        );
+        let found = d.faulty(gap, message).mark("no space allowed here");
+        let fix = Fix::safe("remove the space", vec![Edit::delete(gap)]);
+        Some(d.candidate(found.note(note), fix))
     }
 
     /// `#define SQ(x) { return x*x; }`
-    fn returned(&self, d: &Definition, all: &mut Vec<RepairCandidate>) {
+    fn returned(&self, d: &Definition) -> Option<RepairCandidate> {
         let body = &d.of.body;
         let at = |i: usize| body.get(i).map(|p| p.token.kind);
         let open = (at(0) == Some(TokenKind::LeftBrace)) as usize;
@@ -187,7 +169,7 @@ impl FaultyShader<'_> {
             .get(open)
             .filter(|p| self.text(p.token.span) == "return");
         let (Some(word), Some(value)) = (word, body.get(open + 1)) else {
-            return;
+            return None;
         };
         let ends =
             |p: &&Piece| matches!(p.token.kind, TokenKind::Semicolon | TokenKind::RightBrace);
@@ -199,36 +181,25 @@ impl FaultyShader<'_> {
         if let (Some(after), Some(last)) = (after, d.last()) {
             edits.push(Edit::delete(after.token.span.to(last.token.span)));
         }
-        let found = d
-            .faulty(
-                word.token.span,
-                format!("macro `{}` contains `return`", d.name),
-            )
-            .mark("macros do not return values");
-        all.push(d.candidate(found, Fix::safe("keep only the value", edits)));
+        let message = format!("macro `{}` contains `return`", d.name);
+        let found = d.faulty(word.token.span, message);
+        let found = found.mark("macros do not return values");
+        Some(d.candidate(found, Fix::safe("keep only the value", edits)))
     }
 
     /// A `\` followed by blanks, which does not continue the line.
-    fn broken_line(&self, d: &Definition, all: &mut Vec<RepairCandidate>) {
-        let Some(last) = d.last().map(|p| p.token.span) else {
-            return;
-        };
+    fn broken_line(&self, d: &Definition) -> Option<RepairCandidate> {
+        let last = d.last().map(|p| p.token.span)?;
         let end = self.end_of_line(last.end);
         let gap = Span::new(last.end, end);
         if self.text(last) != "\\" || gap.is_empty() || !self.text(gap).trim().is_empty() {
-            return;
+            return None;
         }
-        let found = d
-            .faulty(
-                gap,
-                format!("space after `\\` ends the definition of macro `{}`", d.name),
-            )
-            .mark("no space allowed here")
-            .note("`\\` continues a line only as its last character");
-        all.push(d.candidate(
-            found,
-            Fix::safe("remove the space", vec![Edit::delete(gap)]),
-        ));
+        let message = format!("space after `\\` ends the definition of macro `{}`", d.name);
+        let found = d.faulty(gap, message).mark("no space allowed here");
+        let found = found.note("`\\` continues a line only as its last character");
+        let fix = Fix::safe("remove the space", vec![Edit::delete(gap)]);
+        Some(d.candidate(found, fix))
     }
 
     /// `#define X * 2.0`, `#define X a +`
@@ -325,13 +296,9 @@ impl FaultyShader<'_> {
         if d.last().is_none() && !is_put_in() {
             return None;
         }
-        let found = d
-            .faulty(
-                gap,
-                format!("missing `\\` in the definition of macro `{}`", d.name),
-            )
-            .mark("expected `\\` here")
-            .note("a macro definition continues on the next line only after `\\`");
+        let message = format!("missing `\\` in the definition of macro `{}`", d.name);
+        let found = d.faulty(gap, message).mark("expected `\\` here");
+        let found = found.note("a macro definition continues on the next line only after `\\`");
         let fix = Fix::safe("add `\\`", vec![Edit::replace(gap, " \\")]);
         Some(d.candidate(found, fix))
     }

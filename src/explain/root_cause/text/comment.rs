@@ -14,8 +14,8 @@ const SENTENCE: usize = 3;
 impl FaultyShader<'_> {
     pub(super) fn comments(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         self.unterminated(line, all);
-        self.lost_start(line, all);
-        self.stray_end(line, all);
+        all.extend(self.lost_start(line));
+        all.extend(self.stray_end(line));
         self.lost_slashes(line, all);
     }
 
@@ -63,16 +63,14 @@ impl FaultyShader<'_> {
     }
 
     /// A comment that ends with `*/` and starts without `/*`.
-    fn lost_start(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let Some(code) = self.program.sources.code_at(line.start) else {
-            return;
-        };
+    fn lost_start(&self, line: &FaultyLine) -> Option<RepairCandidate> {
+        let code = self.program.sources.code_at(line.start)?;
         let offset = (line.start - code.base) as usize;
         let rest = code.text.get(offset..).unwrap_or("");
         let lines = rest.split_inclusive('\n').take(MAX_LINES);
         let within: usize = lines.map(str::len).sum();
         let rest = rest.get(..within).unwrap_or("");
-        let Some(end) = rest.find("*/") else { return };
+        let end = rest.find("*/")?;
         let before = rest.get(..end).unwrap_or("");
         // Each line of many comments starts with a star.
         let later = before.split('\n').skip(1).map(str::trim_start);
@@ -81,7 +79,7 @@ impl FaultyShader<'_> {
         let ends = [';', '{', '}'];
         let code = if has_stars { &ends[1..] } else { &ends };
         if before.contains("/*") || before.contains(code) {
-            return;
+            return None;
         }
         let blanks = (line.text.len() - line.text.trim_start().len()) as u32;
         let start = line.start + blanks;
@@ -90,20 +88,17 @@ impl FaultyShader<'_> {
         let span = Span::new(start, line.end().min(line.start + end as u32 + 2));
         let edits = vec![Edit::insert(start, mark)];
         let message = "missing `/*` before this comment";
-        all.push(syntax(span, message, "add `/*`", edits));
+        Some(syntax(span, message, "add `/*`", edits))
     }
 
     /// `*/` after the end of the comment.
-    fn stray_end(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn stray_end(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let is_end = |&at: &usize| {
             line.is(at, TokenKind::Star)
                 && line.is(at + 1, TokenKind::Slash)
                 && line.touches_next(at)
         };
-        let Some(at) = (0..line.tokens.len()).find(is_end) else {
-            return;
-        };
-        let kind = error::SYNTAX_ERROR;
+        let at = (0..line.tokens.len()).find(is_end)?;
         let span = line.span(at).to(line.span(at + 1));
         let offset = (span.start - line.start) as usize;
         let before = line.text.get(..offset).unwrap_or("");
@@ -113,14 +108,7 @@ impl FaultyShader<'_> {
             let has_blank = line.of(Span::new(end, end + 1)) == " ";
             let edits = vec![Edit::insert(end, if has_blank { " /*" } else { " /* " })];
             let message = "block comments do not nest: the comment ended at the first `*/`";
-            all.push(candidate(
-                kind,
-                span,
-                message,
-                "start another comment",
-                edits,
-            ));
-            return;
+            return Some(syntax(span, message, "start another comment", edits));
         }
         let blanks = match before.trim().is_empty() {
             true => 0,
@@ -128,7 +116,7 @@ impl FaultyShader<'_> {
         };
         let edits = vec![Edit::delete(Span::new(span.start - blanks, span.end))];
         let message = "`*/` without `/*`";
-        all.push(candidate(kind, span, message, "remove `*/`", edits));
+        Some(syntax(span, message, "remove `*/`", edits))
     }
 
     /// `/ text`, `\\ text`, `# text`, or a sentence without any mark.

@@ -42,12 +42,12 @@ impl TextRow<'_> {
 
 impl FaultyShader<'_> {
     /// A conflict of a merge: the first version is kept.
-    pub(super) fn conflict(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    pub(super) fn conflict(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let first = TextRow {
             start: line.start,
             text: line.text,
         };
-        let Some(mark) = first.mark() else { return };
+        let mark = first.mark()?;
         let rows = self.rows_from(line.start);
         let span = Span::new(
             line.start + (line.text.len() - line.text.trim_start().len()) as u32,
@@ -64,7 +64,7 @@ impl FaultyShader<'_> {
             0 => "unresolved merge conflict",
             _ => "leftover line of a merge conflict",
         };
-        all.extend(found.map(|edits| syntax(span, message, title, edits)));
+        found.map(|edits| syntax(span, message, title, edits))
     }
 
     /// Deletes the marks and the versions after the first one.
@@ -93,7 +93,7 @@ impl FaultyShader<'_> {
 
     /// Lines that are not a part of the shader, and marks before each line.
     pub(super) fn pasted_marks(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        self.tags(line, all);
+        all.extend(self.tags(line));
         if let Some(prefix) = prefix(line.text) {
             let rows = self.rows_from(line.start);
             let marked = rows.iter().map_while(|r| Some((r, self::prefix(r.text)?)));
@@ -103,23 +103,23 @@ impl FaultyShader<'_> {
             });
             let mark = line.text.get(..prefix).unwrap_or("").trim();
             let message = format!("unexpected `{mark}` before the code of the line");
-            self.pasted(line, &message, "remove it", edits.collect(), all);
+            let blanks = (line.text.len() - line.text.trim_start().len()) as u32;
+            let span = Span::new(line.start + blanks, line.end());
+            all.push(syntax(span, message, "remove it", edits.collect()));
         }
     }
 
     /// Tags of HTML: alone on a line, the line is removed.
-    fn tags(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let Some(open) = line.text.find('<') else {
-            return;
-        };
+    fn tags(&self, line: &FaultyLine) -> Option<RepairCandidate> {
+        let open = line.text.find('<')?;
         let rest = line.text.get(open..).unwrap_or("");
-        let Some(close) = rest.find('>') else { return };
+        let close = rest.find('>')?;
         let tag = rest.get(..close + 1).unwrap_or("");
         let comment = rest.starts_with("<!--").then(|| rest.find("-->")).flatten();
         let tag = comment.and_then(|end| rest.get(..end + 3)).unwrap_or(tag);
         let name = tag.trim_start_matches(['<', '/', '!', '-']);
         if !name.starts_with(|c: char| c.is_ascii_alphabetic() || comment.is_some()) {
-            return;
+            return None;
         }
         let word: String = name
             .chars()
@@ -133,8 +133,7 @@ impl FaultyShader<'_> {
                 .trim_end_matches(['-', '>']);
             let edits = vec![Edit::replace(span, format!("/*{inner}*/"))];
             let message = "expected `/* */` for a comment, found `<!-- -->`";
-            all.push(foreign(span, message, "use `/* */`", edits));
-            return;
+            return Some(foreign(span, message, "use `/* */`", edits));
         }
         let mut edits = vec![Edit::delete(span)];
         let closing = format!("</{word}");
@@ -155,20 +154,7 @@ impl FaultyShader<'_> {
             "unexpected HTML tag `<{}{word}>`",
             if tag.starts_with("</") { "/" } else { "" }
         );
-        all.push(foreign(span, message, "remove the tag", edits));
-    }
-
-    fn pasted(
-        &self,
-        line: &FaultyLine,
-        message: &str,
-        title: &str,
-        edits: Vec<Edit>,
-        all: &mut Vec<RepairCandidate>,
-    ) {
-        let blanks = (line.text.len() - line.text.trim_start().len()) as u32;
-        let span = Span::new(line.start + blanks, line.end());
-        all.push(syntax(span, message, title, edits));
+        Some(foreign(span, message, "remove the tag", edits))
     }
 }
 

@@ -11,36 +11,26 @@ const MAX_TOKENS: usize = 4_000;
 impl FaultyShader<'_> {
     /// Candidates that concern the whole text rather than a line.
     pub(super) fn copies(&self, all: &mut Vec<RepairCandidate>) {
-        self.pasted_twice(all);
+        all.extend(self.pasted_twice());
         self.nested_functions(all);
-        self.all_characters(all);
+        all.extend(self.all_characters());
     }
 
     /// The same shader twice in one text.
-    fn pasted_twice(&self, all: &mut Vec<RepairCandidate>) {
-        let misplaced = self.errors.iter().find(|d| d.is(error::VERSION_PLACEMENT));
-        let Some(d) = misplaced else { return };
-        let Some(code) = self.program.sources.code_at(d.span.start) else {
-            return;
-        };
+    fn pasted_twice(&self) -> Option<RepairCandidate> {
+        let mut errors = self.errors.iter();
+        let d = errors.find(|d| d.is(error::VERSION_PLACEMENT))?;
+        let code = self.program.sources.code_at(d.span.start)?;
         let offset = (d.span.start - code.base) as usize;
-        let Some((first, second)) = code.text.split_at_checked(offset) else {
-            return;
-        };
+        let (first, second) = code.text.split_at_checked(offset)?;
         if first.trim() != second.trim() {
-            return;
+            return None;
         }
         let end = code.base + code.text.len() as u32;
         let edits = vec![Edit::delete(Span::new(d.span.start, end))];
+        let (kind, title) = (error::VERSION_PLACEMENT, "remove the second copy");
         let message = "the shader is pasted twice";
-        let title = "remove the second copy";
-        all.push(candidate(
-            error::VERSION_PLACEMENT,
-            d.span,
-            message,
-            title,
-            edits,
-        ));
+        Some(candidate(kind, d.span, message, title, edits))
     }
 
     /// A function inside a function moves before it; one inside a struct is skipped.
@@ -109,18 +99,14 @@ impl FaultyShader<'_> {
     }
 
     /// A function inside a struct.
-    pub(super) fn methods(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    pub(super) fn methods(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let is_word = |at: usize| line.kind(at) == Some(RawKind::Word);
         if !is_word(0) || !is_word(1) || !line.is(2, TokenKind::LeftParen) {
-            return;
+            return None;
         }
         let start = line.span(0).start;
-        let Some(body) = self.braced_from(start) else {
-            return;
-        };
-        let Some(code) = self.program.sources.code_at(start) else {
-            return;
-        };
+        let body = self.braced_from(start)?;
+        let code = self.program.sources.code_at(start)?;
         let before = code.text.get(..(start - code.base) as usize).unwrap_or("");
         // The innermost open brace is that of a struct.
         let from = before.rfind("struct").unwrap_or(before.len());
@@ -132,7 +118,7 @@ impl FaultyShader<'_> {
                 .count()
         };
         if count(TokenKind::LeftBrace) != count(TokenKind::RightBrace) + 1 {
-            return;
+            return None;
         }
         let mut found = foreign(
             line.span(0).to(line.span(1)),
@@ -144,31 +130,22 @@ impl FaultyShader<'_> {
         found.diagnostic = found
             .diagnostic
             .note("write a function with the struct as a parameter");
-        all.push(found);
+        Some(found)
     }
 
     /// Characters of another alphabet in several places: all are replaced together.
-    fn all_characters(&self, all: &mut Vec<RepairCandidate>) {
-        let mut found = self
-            .errors
-            .iter()
-            .filter(|d| d.is(error::INVALID_CHARACTER));
+    fn all_characters(&self) -> Option<RepairCandidate> {
+        let errors = self.errors.iter();
+        let mut found = errors.filter(|d| d.is(error::INVALID_CHARACTER));
         let fixes = found.clone().filter_map(|d| d.fix.as_ref());
         let edits: Vec<Edit> = fixes.flat_map(|f| f.edits.clone()).collect();
-        let Some(first) = found.find(|d| d.fix.is_some()).filter(|_| edits.len() > 1) else {
-            return;
-        };
+        let first = found.find(|d| d.fix.is_some());
+        let first = first.filter(|_| edits.len() > 1)?;
         let title = format!("replace {} characters with ASCII characters", edits.len());
-        let mut found = candidate(
-            error::INVALID_CHARACTER,
-            first.span,
-            first.message.clone(),
-            title,
-            edits,
-        );
-        found.diagnostic = found
-            .diagnostic
-            .note("the text contains several such characters");
-        all.push(found);
+        let (kind, message) = (error::INVALID_CHARACTER, first.message.clone());
+        let mut found = candidate(kind, first.span, message, title, edits);
+        let note = "the text contains several such characters";
+        found.diagnostic = found.diagnostic.note(note);
+        Some(found)
     }
 }

@@ -13,13 +13,9 @@ const MAX_ENTITIES: usize = 2_000;
 
 impl FaultyShader<'_> {
     /// All entities of the text are replaced together.
-    pub(super) fn entities(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let Some((first, _)) = entities(line.text).next() else {
-            return;
-        };
-        let Some(code) = self.program.sources.code_at(line.start) else {
-            return;
-        };
+    pub(super) fn entities(&self, line: &FaultyLine) -> Option<RepairCandidate> {
+        let (first, _) = entities(line.text).next()?;
+        let code = self.program.sources.code_at(line.start)?;
         let edit = |(text, at): (&str, usize)| {
             let start = code.base + at as u32;
             let plain = plain(text)?;
@@ -36,7 +32,7 @@ impl FaultyShader<'_> {
             .take(MAX_ENTITIES)
             .collect();
         let (Some(symbol), Some(place)) = (plain(first), edits.first()) else {
-            return;
+            return None;
         };
         let span = place.span;
         let text = self.text(span);
@@ -52,7 +48,7 @@ impl FaultyShader<'_> {
         let mut found = candidate(error::INVALID_CHARACTER, span, message, title, edits);
         let note = "the text contains HTML entities, as in the source of a web page";
         found.diagnostic = found.diagnostic.note(note);
-        all.push(found);
+        Some(found)
     }
 }
 

@@ -12,12 +12,9 @@ const MANY_WORDS: usize = 5;
 
 impl FaultyShader<'_> {
     /// Fences, and prose outside of them, which becomes comments.
-    pub(super) fn fences(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    pub(super) fn fences(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let code = self.program.sources.code_at(line.start);
-        let Some(code) = code.filter(|code| code.text.contains("```") || code.text.contains("~~~"))
-        else {
-            return;
-        };
+        let code = code.filter(|code| code.text.contains("```") || code.text.contains("~~~"))?;
         let rows = self.rows_from(code.base);
         let is_fence = |row: &&TextRow| {
             let text = row.text.trim_start();
@@ -25,7 +22,7 @@ impl FaultyShader<'_> {
         };
         let mut fences = rows.iter().filter(is_fence).map(|row| row.start);
         let (Some(first), second) = (fences.next(), fences.next()) else {
-            return;
+            return None;
         };
         let before = code.text.get(..(first - code.base) as usize).unwrap_or("");
         // A single fence after code closes it.
@@ -57,7 +54,7 @@ impl FaultyShader<'_> {
         let at = edits.first().map_or(line.start, |edit| edit.span.start);
         let shown = rows.iter().find(|row| row.start == at);
         let span = shown.map_or(Span::at(at), TextRow::shown);
-        all.push(syntax(span, message, title, edits).safe());
+        Some(syntax(span, message, title, edits).safe())
     }
 }
 

@@ -58,14 +58,7 @@ impl FaultyShader<'_> {
             let text = format!("{} {name}({})", header.result, header.parameters);
             let edits = vec![Edit::replace(span.to(line.span(after - 1)), text.clone())];
             let message = format!("expected a return type, found `{word}`");
-            let kind = error::FOREIGN_SYNTAX;
-            all.push(candidate(
-                kind,
-                span,
-                message,
-                format!("use `{text}`"),
-                edits,
-            ));
+            all.push(foreign(span, message, format!("use `{text}`"), edits));
         }
     }
 
@@ -116,8 +109,8 @@ impl FaultyShader<'_> {
                 None => vec![Edit::replace(statement, text)],
             };
             let title = format!("declare the function `{} {name}`", header.result);
-            let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no functions as values");
-            all.push(candidate(kind, line.span(equal + 1), message, title, edits));
+            let message = "GLSL has no functions as values";
+            all.push(foreign(line.span(equal + 1), message, title, edits));
         }
     }
 }

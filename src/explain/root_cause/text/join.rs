@@ -9,20 +9,20 @@ use shaderlint_syntax::{DIRECTIVES, RawKind, WordClass, classify, tokenize};
 impl FaultyShader<'_> {
     pub(super) fn joins(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         for at in 1..line.tokens.len() {
-            self.split_token(line, at, all);
+            all.extend(self.split_token(line, at));
             if line.kind(at) == Some(RawKind::Hash) && DIRECTIVES.contains(&line.token(at + 1)) {
-                directive_after_code(line, at, all);
+                all.push(directive_after_code(line, at));
             }
         }
     }
 
-    fn split_token(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn split_token(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let (first, second) = (line.span(at - 1), line.span(at));
         let gap = Span::new(first.end, second.start);
         let is_blank = |text: &str| !text.is_empty() && text.bytes().all(|b| b == b' ');
         let is_near = |e: &Span| e.touches(first) || e.touches(second);
         if gap.start >= gap.end || !is_blank(line.of(gap)) || !line.errors.iter().any(is_near) {
-            return;
+            return None;
         }
         use RawKind as R;
         let text = format!("{}{}", line.token(at - 1), line.token(at));
@@ -32,19 +32,14 @@ impl FaultyShader<'_> {
             (Some(R::Integer), Some(R::Float)) => line.token(at).starts_with('.'),
             _ => false,
         };
-        if !is_known
-            || tokenize(&text, 0)
-                .iter()
-                .filter(|t| t.kind != R::End)
-                .count()
-                != 1
-        {
-            return;
+        let tokens = tokenize(&text, 0);
+        if !is_known || tokens.iter().filter(|t| t.kind != R::End).count() != 1 {
+            return None;
         }
         let message = format!("unexpected space in `{text}`");
         let edits = vec![Edit::delete(gap)];
         let (span, title) = (first.to(second), format!("use `{text}`"));
-        all.push(syntax(span, message, title, edits));
+        Some(syntax(span, message, title, edits))
     }
 
     /// Whether a word is of the language, or a name that the shader contains elsewhere.
@@ -56,7 +51,7 @@ impl FaultyShader<'_> {
 
     /// Characters outside names that no token contains, such as an emoji.
     pub(super) fn strays(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        self.escapes(line, all);
+        all.extend(self.escapes(line));
         let of_line = |d: &&Diagnostic| line.errors.contains(&d.span);
         let strays = self.errors.iter().filter(of_line);
         for d in strays.filter(|d| d.is(error::INVALID_CHARACTER) && d.fix.is_none()) {
@@ -72,7 +67,7 @@ impl FaultyShader<'_> {
     }
 
     /// `\n` in code that was copied from a string.
-    fn escapes(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn escapes(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let places = ["\\n", "\\t"].map(|escape| line.text.match_indices(escape));
         let edits: Vec<Edit> = places
             .into_iter()
@@ -83,28 +78,21 @@ impl FaultyShader<'_> {
                 Edit::replace(Span::new(start, start + escape.len() as u32), blank)
             })
             .collect();
-        let Some(span) = edits.first().map(|e| e.span) else {
-            return;
-        };
+        let span = edits.first().map(|e| e.span)?;
         let message = format!("unexpected escape `{}` of a string", line.of(span));
         let title = "replace it with the character";
         let kind = error::INVALID_CHARACTER;
-        all.push(candidate(kind, span, message, title, edits));
+        Some(candidate(kind, span, message, title, edits))
     }
 }
 
 /// `int a; #define N 2`
-fn directive_after_code(line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+fn directive_after_code(line: &FaultyLine, at: usize) -> RepairCandidate {
     let span = line.span(at).to(line.span(at + 1));
     let message = format!("`{}` must be the first on its line", line.of(span));
     let edits = vec![Edit::insert(span.start, "\n")];
-    all.push(candidate(
-        error::BAD_DIRECTIVE,
-        span,
-        message,
-        "start a new line",
-        edits,
-    ));
+    let kind = error::BAD_DIRECTIVE;
+    candidate(kind, span, message, "start a new line", edits)
 }
 
 /// Maximum length of characters that are removed, in bytes.

@@ -39,21 +39,20 @@ impl FaultyShader<'_> {
         let lines = self.faulty_lines();
         let mut all = Vec::new();
         self.copies(&mut all);
-        lines
-            .first()
-            .into_iter()
-            .for_each(|line| self.prose(line, &mut all));
+        if let Some(line) = lines.first() {
+            self.prose(line, &mut all);
+        }
         for line in &lines {
-            self.conflict(line, &mut all);
-            self.fences(line, &mut all);
-            self.entities(line, &mut all);
+            all.extend(self.conflict(line));
+            all.extend(self.fences(line));
+            all.extend(self.entities(line));
             self.pasted_marks(line, &mut all);
             self.comments(line, &mut all);
             self.spaces(line, &mut all);
             self.joins(line, &mut all);
             self.strays(line, &mut all);
             self.variables(line, &mut all);
-            self.methods(line, &mut all);
+            all.extend(self.methods(line));
             self.notations(line, &mut all);
             self.statements(line, &mut all);
             self.words(line, &mut all);

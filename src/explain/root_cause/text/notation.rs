@@ -20,78 +20,56 @@ const POWERS: &[(char, u32)] = &[('²', 2), ('³', 3)];
 impl FaultyShader<'_> {
     pub(super) fn notations(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         for at in 0..line.tokens.len() {
-            self.letter(line, at, all);
-            self.power(line, at, all);
-            self.degrees(line, at, all);
-            self.percent(line, at, all);
-            self.quoted_number(line, at, all);
-            self.hex_color(line, at, all);
+            all.extend(self.letter(line, at));
+            all.extend(self.power(line, at));
+            all.extend(self.degrees(line, at));
+            all.extend(self.percent(line, at));
+            all.extend(self.quoted_number(line, at));
+            all.extend(self.hex_color(line, at));
             self.joined_number(line, at, all);
         }
-        self.inline_if(line, all);
+        all.extend(self.inline_if(line));
     }
 
     /// `π`
-    fn letter(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
-        let (span, text) = (line.span(at), line.token(at));
-        if let Some((_, value)) = LETTERS.iter().find(|(letter, _)| *letter == text) {
-            let message = format!("unexpected character `{text}`; use `{value}`");
-            let edits = vec![Edit::replace(span, *value)];
-            all.push(candidate(
-                error::INVALID_CHARACTER,
-                span,
-                message,
-                format!("use `{value}`"),
-                edits,
-            ));
-        }
+    fn letter(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
+        let text = line.token(at);
+        let (_, value) = LETTERS.iter().find(|(letter, _)| *letter == text)?;
+        let message = format!("unexpected character `{text}`; use `{value}`");
+        let kind = error::INVALID_CHARACTER;
+        Some(replacement(kind, line.span(at), message, value.to_string()))
     }
 
     /// `x²`: the name and the exponent are one word.
-    fn power(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn power(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let text = line.token(at);
-        let split = POWERS
-            .iter()
-            .find_map(|&(c, n)| Some((text.strip_suffix(c)?, c, n)));
-        let Some((base, c, n)) = split else { return };
+        let mut powers = POWERS.iter();
+        let (base, c, n) = powers.find_map(|&(c, n)| Some((text.strip_suffix(c)?, c, n)))?;
         let is_name = base.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-        let span = line.span(at);
-        let (span, base) = match base {
-            // `(a + b)²` repeats no text.
-            "" => return,
-            base => (span, base),
-        };
-        if !is_name {
-            return;
+        // `(a + b)²` repeats no text.
+        if base.is_empty() || !is_name {
+            return None;
         }
         let product = vec![base; n as usize].join(" * ");
-        let text = format!("({product})");
         let message = format!("unexpected character `{c}`; GLSL has no exponents");
-        all.push(replacement(error::INVALID_CHARACTER, span, message, text));
+        let (kind, text) = (error::INVALID_CHARACTER, format!("({product})"));
+        Some(replacement(kind, line.span(at), message, text))
     }
 
     /// `45°`
-    fn degrees(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn degrees(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_number = |i: usize| matches!(line.kind(i), Some(RawKind::Integer | RawKind::Float));
         if line.token(at + 1) != "°" || !is_number(at) || !line.touches_next(at) {
-            return;
+            return None;
         }
-        let number = decimal(line.token(at));
-        let text = format!("radians({number})");
+        let text = format!("radians({})", decimal(line.token(at)));
         let span = line.span(at).to(line.span(at + 1));
-        let edits = vec![Edit::replace(span, text.clone())];
         let message = "unexpected character `°`; GLSL measures angles in radians";
-        all.push(candidate(
-            error::INVALID_CHARACTER,
-            span,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        Some(replacement(error::INVALID_CHARACTER, span, message, text))
     }
 
     /// `50%`
-    fn percent(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn percent(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_number = matches!(line.kind(at), Some(RawKind::Integer | RawKind::Float));
         let is_last = !matches!(
             line.kind(at + 2),
@@ -108,17 +86,16 @@ impl FaultyShader<'_> {
             is_last,
             value,
         ) else {
-            return;
+            return None;
         };
         let text = format!("{:?}", value / 100.0);
         let span = line.span(at).to(line.span(at + 1));
-        let edits = vec![Edit::replace(span, text.clone())];
         let message = "GLSL has no percentages";
-        all.push(foreign(span, message, format!("use `{text}`"), edits));
+        Some(replacement(error::FOREIGN_SYNTAX, span, message, text))
     }
 
     /// `"0.5"`, in any quotation marks.
-    fn quoted_number(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn quoted_number(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let quote = |i: usize| matches!(line.token(i), "\"" | "'" | "“" | "”" | "‘" | "’" | "`");
         let is_number = |i: usize| matches!(line.kind(i), Some(RawKind::Integer | RawKind::Float));
         let (span, text) = if quote(at) && is_number(at + 1) && quote(at + 2) {
@@ -128,24 +105,18 @@ impl FaultyShader<'_> {
             let whole = line.token(at).strip_prefix('"');
             match whole.and_then(|t| t.strip_suffix('"')) {
                 Some(number) if number.parse::<f32>().is_ok() => (line.span(at), number),
-                _ => return,
+                _ => return None,
             }
         };
-        let edits = vec![Edit::replace(span, text)];
         let message = "unexpected quotation marks around a number";
-        all.push(candidate(
-            error::INVALID_CHARACTER,
-            span,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        let kind = error::INVALID_CHARACTER;
+        Some(replacement(kind, span, message, text.to_string()))
     }
 
     /// `#ff8800` as a color.
-    fn hex_color(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn hex_color(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         if line.kind(at) != Some(RawKind::Hash) || at == 0 {
-            return;
+            return None;
         }
         let start = line.span(at).end;
         let from = (start - line.start) as usize;
@@ -157,7 +128,7 @@ impl FaultyShader<'_> {
         let each = match len {
             3 => 1,
             6 => 2,
-            _ => return,
+            _ => return None,
         };
         let channel = |i: usize| {
             let text = digits.get(i * each..(i + 1) * each)?;
@@ -168,13 +139,11 @@ impl FaultyShader<'_> {
                 (f64::from(value) / most * 1000.0).round() / 1000.0
             ))
         };
-        let (Some(r), Some(g), Some(b)) = (channel(0), channel(1), channel(2)) else {
-            return;
-        };
+        let (r, g, b) = (channel(0)?, channel(1)?, channel(2)?);
         let span = Span::new(line.span(at).start, start + len as u32);
         let text = format!("vec3({r}, {g}, {b})");
         let message = format!("GLSL has no colors such as `#{digits}`");
-        all.push(replacement(error::FOREIGN_SYNTAX, span, message, text));
+        Some(replacement(error::FOREIGN_SYNTAX, span, message, text))
     }
 
     /// `1.0.0`, `0..5`, `2.0x`, `0.0. 0.5`: a number with a part too many, or with what follows it.
@@ -191,26 +160,15 @@ impl FaultyShader<'_> {
         {
             let dot = Span::new(span.end - 1, span.end);
             let edits = vec![Edit::replace(dot, ",")];
-            all.push(candidate(
-                kind,
-                span,
-                "expected `,` between the numbers, found `.`",
-                format!("use `{number},`"),
-                edits,
-            ));
+            let message = "expected `,` between the numbers, found `.`";
+            let title = format!("use `{number},`");
+            all.push(candidate(kind, span, message, title, edits));
         }
         let cut = text
             .strip_suffix(['e', 'E'])
             .filter(|n| n.parse::<f64>().is_ok());
         for number in one_point(text).into_iter().chain(cut.map(decimal)) {
-            let edits = vec![Edit::replace(span, number.clone())];
-            all.push(candidate(
-                kind,
-                span,
-                message.clone(),
-                format!("use `{number}`"),
-                edits,
-            ));
+            all.push(replacement(kind, span, message.clone(), number));
         }
         let digits = text
             .find(|c: char| !c.is_ascii_digit() && c != '.')
@@ -234,17 +192,12 @@ impl FaultyShader<'_> {
     }
 
     /// `1.0 if c else 0.0` and `if (c) 1.0 else 0.0` as values.
-    fn inline_if(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn inline_if(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let find =
             |word: &str, from: usize| (from..line.tokens.len()).find(|&i| line.token(i) == word);
-        let Some(condition) = find("if", 1) else {
-            return;
-        };
-        let Some(other) = find("else", condition + 1) else {
-            return;
-        };
-        let end = (other + 1..line.tokens.len()).find(|&i| line.is(i, TokenKind::Semicolon));
-        let Some(end) = end else { return };
+        let condition = find("if", 1)?;
+        let other = find("else", condition + 1)?;
+        let end = (other + 1..line.tokens.len()).find(|&i| line.is(i, TokenKind::Semicolon))?;
         let text = |from: usize, to: usize| {
             let last = line.span(to.saturating_sub(1)).end;
             line.of(Span::new(line.span(from).start, last)).trim()
@@ -256,22 +209,19 @@ impl FaultyShader<'_> {
                 Some(after) if after < other => {
                     (condition, text(condition + 1, after), text(after, other))
                 }
-                _ => return,
+                _ => return None,
             },
             false => {
                 let starts =
                     |&i: &usize| line.is(i - 1, TokenKind::Equal) || line.token(i - 1) == "return";
-                let Some(start) = (1..condition).rev().find(starts) else {
-                    return;
-                };
+                let start = (1..condition).rev().find(starts)?;
                 (start, text(condition + 1, other), text(start, condition))
             }
         };
         let span = line.span(start).to(line.span(end - 1));
         let value = format!("{c} ? {yes} : {}", text(other + 1, end));
-        let edits = vec![Edit::replace(span, value.clone())];
         let message = "`if` is a statement and has no value; use `c ? a : b`";
-        all.push(foreign(span, message, format!("use `{value}`"), edits));
+        Some(replacement(error::FOREIGN_SYNTAX, span, message, value))
     }
 }
 

@@ -47,7 +47,7 @@ impl FaultyShader<'_> {
         for at in words {
             let is_directive = at > 0 && line.kind(at - 1) == Some(RawKind::Hash);
             for parts in splits(line.token(at), is_directive, MAX_PARTS) {
-                self.split(line.span(at), &parts, all);
+                all.extend(self.split(line.span(at), &parts));
             }
         }
     }
@@ -57,8 +57,10 @@ impl FaultyShader<'_> {
         classify(word, self.program.version) == WordClass::Plain && BuiltinId::named(word).is_none()
     }
 
-    fn split(&self, span: Span, parts: &[&str], all: &mut Vec<RepairCandidate>) {
-        let [first, second, ..] = parts else { return };
+    fn split(&self, span: Span, parts: &[&str]) -> Option<RepairCandidate> {
+        let [first, second, ..] = parts else {
+            return None;
+        };
         let mut at = span.start;
         let mut edits = Vec::new();
         for part in parts {
@@ -69,7 +71,7 @@ impl FaultyShader<'_> {
         }
         let message = format!("missing space between `{first}` and `{second}`");
         let title = format!("use `{}`", parts.join(" "));
-        all.push(syntax(span, message, title, edits));
+        Some(syntax(span, message, title, edits))
     }
 }
 

@@ -15,47 +15,42 @@ const MAX_MEMBERS: usize = 100;
 
 impl FaultyShader<'_> {
     pub(super) fn statements(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        self.lost_hash(line, all);
-        self.character(line, all);
+        all.extend(self.lost_hash(line));
+        all.extend(self.character(line));
         self.string(line, all);
-        self.colon_header(line, all);
-        self.member_commas(line, all);
-        self.lost_struct(line, all);
-        self.lost_braces(line, all);
-        self.typed_names(line, all);
+        all.extend(self.colon_header(line));
+        all.extend(self.member_commas(line));
+        all.extend(self.lost_struct(line));
+        all.extend(self.lost_braces(line));
+        all.extend(self.typed_names(line));
         for at in 0..line.tokens.len() {
-            self.lost_if(line, at, all);
-            self.type_after_name(line, at, all);
-            self.other_case(line, at, all);
-            self.lost_case(line, at, all);
-            self.local_qualifier(line, at, all);
-            self.typed_arguments(line, at, all);
-            self.component_index(line, at, all);
-            self.bracketed_constructor(line, at, all);
+            all.extend(self.lost_if(line, at));
+            all.extend(self.type_after_name(line, at));
+            all.extend(self.other_case(line, at));
+            all.extend(self.lost_case(line, at));
+            all.extend(self.local_qualifier(line, at));
+            all.extend(self.typed_arguments(line, at));
+            all.extend(self.component_index(line, at));
+            all.extend(self.bracketed_constructor(line, at));
             self.half_ternary(line, at, all);
         }
     }
 
     /// `define PI 3.14`, `pragma once`
-    fn lost_hash(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn lost_hash(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let word = line.token(0);
         if !DIRECTIVES.contains(&word) || classify(word, self.program.version) != WordClass::Plain {
-            return;
+            return None;
         }
         let span = line.span(0);
         let message = format!("expected `#{word}`, found `{word}`");
         let edits = vec![Edit::insert(span.start, "#")];
-        all.push(candidate(
-            error::BAD_DIRECTIVE,
-            span,
-            message,
-            format!("use `#{word}`"),
-            edits,
-        ));
+        let (kind, title) = (error::BAD_DIRECTIVE, format!("use `#{word}`"));
+        Some(candidate(kind, span, message, title, edits))
     }
 
     /// `'a'`, with or without the type `char`: a character is its code.
-    fn character(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn character(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let code = |at: usize| {
             let quoted = line.token(at).strip_prefix('\'')?.strip_suffix('\'')?;
             let mut chars = quoted.chars();
@@ -63,9 +58,7 @@ impl FaultyShader<'_> {
             first.is_ascii().then_some(u32::from(first))
         };
         let mut places = 0..line.tokens.len();
-        let Some((at, code)) = places.find_map(|at| Some((at, code(at)?))) else {
-            return;
-        };
+        let (at, code) = places.find_map(|at| Some((at, code(at)?)))?;
         let span = line.span(at);
         let mut edits = vec![Edit::replace(span, code.to_string())];
         if let Some(ty) = (0..at).find(|&at| line.token(at) == "char") {
@@ -74,7 +67,7 @@ impl FaultyShader<'_> {
         let message = "GLSL has no characters; use the code of the character";
         let title = format!("use `{code}`");
         let kind = error::INVALID_CHARACTER;
-        all.push(candidate(kind, span, message, title, edits));
+        Some(candidate(kind, span, message, title, edits))
     }
 
     /// A statement with a string: it is removed, unless the string names a component.
@@ -107,26 +100,17 @@ impl FaultyShader<'_> {
         let edits = vec![Edit::delete(span)];
         let quoted = Span::new(line.span(quote).start, line.span(end).start);
         let message = "GLSL has no strings";
-        let kind = error::INVALID_CHARACTER;
-        all.push(candidate(
-            kind,
-            quoted,
-            message,
-            "remove the statement",
-            edits,
-        ));
+        let (kind, title) = (error::INVALID_CHARACTER, "remove the statement");
+        all.push(candidate(kind, quoted, message, title, edits));
     }
 
     /// `if d < 0.3:`, `else:`
-    fn colon_header(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let Some(colon) = line
+    fn colon_header(&self, line: &FaultyLine) -> Option<RepairCandidate> {
+        let colon = line
             .tokens
             .len()
             .checked_sub(1)
-            .filter(|&at| line.is(at, TokenKind::Colon))
-        else {
-            return;
-        };
+            .filter(|&at| line.is(at, TokenKind::Colon))?;
         let word = line.token(0);
         let (span, place) = (line.span(0).to(line.span(colon)), line.span(colon));
         let mut edits = Vec::new();
@@ -137,71 +121,57 @@ impl FaultyShader<'_> {
                 edits.push(Edit::replace(place, ")"));
             }
             "if" | "while" | "else" => edits.push(Edit::delete(place)),
-            _ => return,
+            _ => return None,
         }
         let message = format!("unexpected `:` after `{word}`; GLSL uses parentheses and braces");
-        all.push(foreign(span, message, "use parentheses", edits));
+        Some(foreign(span, message, "use parentheses", edits))
     }
 
     /// `if (c) a(); b(); else d();`: several statements before `else` need braces.
-    fn lost_braces(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn lost_braces(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let is_else =
             |d: &&Diagnostic| line.errors.contains(&d.span) && self.text(d.span) == "else";
-        let Some(d) = self.errors.iter().find(is_else) else {
-            return;
-        };
-        let Some(code) = self.program.sources.code_at(line.start) else {
-            return;
-        };
+        let d = self.errors.iter().find(is_else)?;
+        let code = self.program.sources.code_at(line.start)?;
         let end = (d.span.start - code.base) as usize;
         let from = end.saturating_sub(MAX_BLOCK);
         let from = (from..end).find(|&i| code.text.is_char_boundary(i));
         let before = from.and_then(|from| Some((from, code.text.get(from..end)?)));
-        let Some((from, before)) = before else { return };
+        let (from, before) = before?;
         let tokens = tokenize(before, code.base + from as u32);
-        let Some(open) = place_of_brace(before, code.base + from as u32, &tokens) else {
-            return;
-        };
+        let open = place_of_brace(before, code.base + from as u32, &tokens)?;
         let edits = vec![Edit::insert(open, " {"), Edit::insert(d.span.start, "} ")];
         let fix = Fix::suggestion("enclose the statements before it in braces", edits);
-        all.push(RepairCandidate::of_error(d, fix));
+        Some(RepairCandidate::of_error(d, fix))
     }
 
     /// `Ray { vec3 o; };`
-    fn lost_struct(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn lost_struct(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let word = line.token(0);
         if !self.is_plain(line, 0) || !line.is(1, TokenKind::LeftBrace) {
-            return;
+            return None;
         }
         let span = line.span(0);
         let message = format!("missing `struct` before `{word}`");
         let edits = vec![Edit::insert(span.start, "struct ")];
         let title = format!("use `struct {word}`");
-        all.push(syntax(span, message, title, edits));
+        Some(syntax(span, message, title, edits))
     }
 
     /// `vec3 o, vec3 d,` as members of a struct.
-    fn member_commas(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let Some(code) = self.program.sources.code_at(line.start) else {
-            return;
-        };
+    fn member_commas(&self, line: &FaultyLine) -> Option<RepairCandidate> {
+        let code = self.program.sources.code_at(line.start)?;
         let offset = (line.start - code.base) as usize;
-        let Some(open) = code.text.get(..offset).and_then(|t| t.rfind('{')) else {
-            return;
-        };
+        let open = code.text.get(..offset).and_then(|t| t.rfind('{'))?;
         // `struct Ray {`
         let header = code.text.get(..open).unwrap_or("").trim_end();
         let name = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let header = header.trim_end_matches(name).trim_end();
         if !header.ends_with("struct") {
-            return;
+            return None;
         }
-        let Some(close) = code.text.get(open..).and_then(|t| t.find('}')) else {
-            return;
-        };
-        let Some(body) = code.text.get(open..open + close) else {
-            return;
-        };
+        let close = code.text.get(open..).and_then(|t| t.find('}'))?;
+        let body = code.text.get(open..open + close)?;
         let mut edits = Vec::new();
         for (at, _) in body.match_indices(',') {
             let rest = body.get(at + 1..).unwrap_or("").trim_start();
@@ -214,18 +184,16 @@ impl FaultyShader<'_> {
                 edits.push(Edit::replace(Span::new(start, start + 1), ";"));
             }
             if edits.len() > MAX_MEMBERS {
-                return;
+                return None;
             }
         }
-        let Some(span) = edits.first().map(|e| e.span) else {
-            return;
-        };
+        let span = edits.first().map(|e| e.span)?;
         let message = "expected `;` after the member, found `,`";
-        all.push(syntax(span, message, "use `;`", edits));
+        Some(syntax(span, message, "use `;`", edits))
     }
 
     /// `float f(p: vec2, k: float)`
-    fn typed_names(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn typed_names(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let mut edits = Vec::new();
         for at in 0..line.tokens.len() {
             let (name, ty) = (line.token(at), line.token(at + 2));
@@ -237,68 +205,63 @@ impl FaultyShader<'_> {
                 edits.push(Edit::replace(span, format!("{ty} {name}")));
             }
         }
-        let Some(first) = edits.first().cloned() else {
-            return;
-        };
+        let first = edits.first().cloned()?;
         let message = "the type must come before the name";
         let title = format!("use `{}`", first.text);
-        all.push(foreign(first.span, message, title, edits));
+        Some(foreign(first.span, message, title, edits))
     }
 
     /// `} else (c) {`
-    fn lost_if(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn lost_if(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         if line.token(at) != "else" || !line.is(at + 1, TokenKind::LeftParen) {
-            return;
+            return None;
         }
         let span = line.span(at).to(line.span(at + 1));
         let edits = vec![Edit::insert(line.span(at).end, " if")];
         let message = "missing `if` between `else` and a condition";
-        all.push(syntax(span, message, "add `if`", edits));
+        Some(syntax(span, message, "add `if`", edits))
     }
 
     /// `p vec2 = uv;`
-    fn type_after_name(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn type_after_name(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         use TokenKind as T;
         let ends = [T::Equal, T::Semicolon, T::Comma, T::RightParen];
         let is_pair = self.is_plain(line, at)
             && TypeWord::named(line.token(at + 1)).is_some()
             && ends.iter().any(|&kind| line.is(at + 2, kind));
-        if is_pair {
-            let span = line.span(at).to(line.span(at + 1));
-            let text = format!("{} {}", line.token(at + 1), line.token(at));
-            let message = "the type must come before the name";
-            all.push(replacement(error::FOREIGN_SYNTAX, span, message, text));
-        }
+        let span = line.span(at).to(line.span(at + 1));
+        let text = format!("{} {}", line.token(at + 1), line.token(at));
+        let message = "the type must come before the name";
+        is_pair.then(|| replacement(error::FOREIGN_SYNTAX, span, message, text))
     }
 
     /// `Return x;`, `IF (c)`: a keyword in another case.
-    fn other_case(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn other_case(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let word = line.token(at);
         let is_plain = line.kind(at) == Some(RawKind::Word)
             && classify(word, self.program.version) == WordClass::Plain;
         let near = keyword_near(word).filter(|(k, _)| is_plain && k.eq_ignore_ascii_case(word));
-        let Some((keyword, _)) = near else { return };
+        let (keyword, _) = near?;
         let span = line.span(at);
         let message = format!("expected `{keyword}`, found `{word}`");
-        let title = format!("use `{keyword}`");
-        let edits = vec![Edit::replace(span, keyword)];
-        all.push(syntax(span, message, title, edits));
+        let text = keyword.to_string();
+        Some(replacement(error::SYNTAX_ERROR, span, message, text))
     }
 
     /// `0: x = 1.0;` in a `switch`
-    fn lost_case(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn lost_case(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_label = line.kind(at) == Some(RawKind::Integer) && line.is(at + 1, TokenKind::Colon);
         if !is_label || !line.starts_statement(at) {
-            return;
+            return None;
         }
         let span = line.span(at);
         let message = format!("expected `case {}`, found `{0}`", line.token(at));
         let edits = vec![Edit::insert(span.start, "case ")];
-        all.push(syntax(span, message, "add `case`", edits));
+        Some(syntax(span, message, "add `case`", edits))
     }
 
     /// `in float x = 0.5;` as a local variable.
-    fn local_qualifier(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn local_qualifier(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let word = line.token(at);
         let is_storage = matches!(word, "in" | "out" | "inout" | "varying" | "attribute");
         let is_local = || {
@@ -306,29 +269,24 @@ impl FaultyShader<'_> {
             errors.any(|d| d.is(error::INVALID_QUALIFIER) && d.span.touches(line.span(at)))
         };
         if !is_storage || !line.starts_statement(at) || !is_local() {
-            return;
+            return None;
         }
         let (span, next) = (line.span(at), line.span(at + 1));
         let edits = vec![Edit::delete(Span::new(span.start, next.start))];
         let message = format!("a local variable cannot be `{word}`");
-        all.push(candidate(
-            error::INVALID_QUALIFIER,
-            span,
-            message,
-            format!("remove `{word}`"),
-            edits,
-        ));
+        let (kind, title) = (error::INVALID_QUALIFIER, format!("remove `{word}`"));
+        Some(candidate(kind, span, message, title, edits))
     }
 
     /// `f(vec2 p, float 0.3)` as a call.
-    fn typed_arguments(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn typed_arguments(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_call = line.kind(at) == Some(RawKind::Word) && line.is(at + 1, TokenKind::LeftParen);
         // After a type it is a declaration, whose parameters have types.
         let declares =
             at > 0 && line.kind(at - 1) == Some(RawKind::Word) && line.token(at - 1) != "return";
-        let Some(after) = (is_call && !declares).then(|| line.after(at + 1)).flatten() else {
-            return;
-        };
+        let after = (is_call && !declares)
+            .then(|| line.after(at + 1))
+            .flatten()?;
         let mut edits = Vec::new();
         let mut depth = 0_u32;
         for i in at + 2..after {
@@ -348,49 +306,45 @@ impl FaultyShader<'_> {
                 )));
             }
         }
-        let Some(span) = edits.first().map(|e| e.span) else {
-            return;
-        };
+        let span = edits.first().map(|e| e.span)?;
         let message = format!(
             "the arguments of a call have no types, as in `{}(...)`",
             line.token(at)
         );
-        all.push(syntax(span, message, "remove the types", edits));
+        Some(syntax(span, message, "remove the types", edits))
     }
 
     /// `v[x]` and `v["x"]`
-    fn component_index(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn component_index(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         if !line.is(at, TokenKind::LeftBracket) || at == 0 {
-            return;
+            return None;
         }
-        let Some(after) = line.after(at) else { return };
+        let after = line.after(at)?;
         let inside = line.of(Span::new(line.span(at).end, line.span(after - 1).start));
         let letter = inside.trim_matches(['"', '\'', ' ']);
         if letter.len() != 1 || !"xyzwrgba".contains(letter) {
-            return;
+            return None;
         }
         let span = line.span(at).to(line.span(after - 1));
-        let edits = vec![Edit::replace(span, format!(".{letter}"))];
         let message = format!("`{}` is not an index; use `.{letter}`", inside.trim());
-        all.push(foreign(span, message, format!("use `.{letter}`"), edits));
+        let (kind, text) = (error::FOREIGN_SYNTAX, format!(".{letter}"));
+        Some(replacement(kind, span, message, text))
     }
 
     /// `vec3[1.0, 2.0, 3.0]`
-    fn bracketed_constructor(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn bracketed_constructor(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_one = TypeWord::named(line.token(at)).is_some()
             && (line.is(at + 1, TokenKind::LeftBracket) || line.is(at + 1, TokenKind::LeftBrace));
-        let Some(after) = is_one.then(|| line.after(at + 1)).flatten() else {
-            return;
-        };
+        let after = is_one.then(|| line.after(at + 1)).flatten()?;
         let (open, close) = (line.span(at + 1), line.span(after - 1));
         // An index or a size is one expression.
         if !(at + 2..after).any(|i| line.is(i, TokenKind::Comma)) {
-            return;
+            return None;
         }
         let edits = vec![Edit::replace(open, "("), Edit::replace(close, ")")];
         let message = format!("`{}` must be called with parentheses", line.token(at));
         let span = line.span(at).to(close);
-        all.push(syntax(span, message, "use `(...)`", edits));
+        Some(syntax(span, message, "use `(...)`", edits))
     }
 
     /// `c ? 1.0;`
@@ -410,12 +364,8 @@ impl FaultyShader<'_> {
             let edits = vec![Edit::insert(place, format!(" : {value}"))];
             let message = "missing `:` of the `?:` operator";
             let title = format!("add the other value, such as `: {value}`");
-            all.push(syntax(
-                Span::new(place, line.span(end).end),
-                message,
-                title,
-                edits,
-            ));
+            let span = Span::new(place, line.span(end).end);
+            all.push(syntax(span, message, title, edits));
         }
     }
 }

@@ -6,24 +6,22 @@ use shaderlint_syntax::{RawKind, TokenKind, TypeWord};
 impl FaultyShader<'_> {
     pub(super) fn variables(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         for at in 0..line.tokens.len() {
-            self.constructed(line, at, all);
+            all.extend(self.constructed(line, at));
         }
     }
 
     /// `vec3 p(1, 2, 3);` and `vec3 p{1, 2, 3};`
-    fn constructed(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn constructed(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let open = at + 2;
         let has_parens = line.is(open, TokenKind::LeftParen);
         let is_word = |i: usize| line.kind(i) == Some(RawKind::Word);
         let opens = has_parens || line.is(open, TokenKind::LeftBrace);
         if !is_word(at) || !is_word(at + 1) || !opens || !self.is_type(line.token(at)) {
-            return;
+            return None;
         }
-        let Some(after) = line.after(open).filter(|&after| {
+        let after = line.after(open).filter(|&after| {
             line.is(after, TokenKind::Semicolon) || line.is(after, TokenKind::Comma)
-        }) else {
-            return;
-        };
+        })?;
         let (ty, name) = (line.token(at), line.token(at + 1));
         let inside = line
             .of(Span::new(line.span(open).end, line.span(after - 1).start))
@@ -40,7 +38,7 @@ impl FaultyShader<'_> {
         };
         let edits = vec![Edit::replace(span, text.clone())];
         let title = format!("use `{ty} {text}`");
-        all.push(foreign(span, message, title, edits));
+        Some(foreign(span, message, title, edits))
     }
 
     /// Whether a word is a built-in type or a struct.

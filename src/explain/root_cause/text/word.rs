@@ -16,24 +16,24 @@ const DIRECTIONS: [&str; 3] = ["in", "out", "inout"];
 impl FaultyShader<'_> {
     pub(super) fn words(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
         for at in 0..line.tokens.len() {
-            self.this(line, at, all);
-            self.left_arrow(line, at, all);
-            self.hyphen(line, at, all);
+            all.extend(self.this(line, at));
+            all.extend(self.left_arrow(line, at));
+            all.extend(self.hyphen(line, at));
             self.lost_name(line, at, all);
             self.lost_type_of_constant(line, at, all);
-            self.ellipsis(line, at, all);
+            all.extend(self.ellipsis(line, at));
             self.direction(line, at, all);
-            self.reference(line, at, all);
-            self.member_value(line, at, all);
-            self.number_suffix(line, at, all);
-            self.swapped_operator(line, at, all);
+            all.extend(self.reference(line, at));
+            all.extend(self.member_value(line, at));
+            all.extend(self.number_suffix(line, at));
+            all.extend(self.swapped_operator(line, at));
             self.power_assignment(line, at, all);
-            self.bare_argument(line, at, all);
-            self.negated_words(line, at, all);
+            all.extend(self.bare_argument(line, at));
+            all.extend(self.negated_words(line, at));
         }
-        self.precision_order(line, all);
+        all.extend(self.precision_order(line));
         self.foreign_block(line, all);
-        self.word_for_brace(line, all);
+        all.extend(self.word_for_brace(line));
     }
 
     /// Whether a token is an ordinary identifier.
@@ -49,42 +49,44 @@ impl FaultyShader<'_> {
     }
 
     /// `this.x`
-    fn this(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn this(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         if line.token(at) != "this" || !line.is(at + 1, TokenKind::Dot) {
-            return;
+            return None;
         }
         let span = line.span(at);
         let edits = vec![Edit::delete(span.to(line.span(at + 1)))];
         let (kind, message) = (error::RESERVED_WORD, "GLSL has no `this`");
-        all.push(candidate(kind, span, message, "remove `this.`", edits));
+        Some(candidate(kind, span, message, "remove `this.`", edits))
     }
 
     /// `float x <- 1.0;`
-    fn left_arrow(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn left_arrow(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_arrow = line.is(at, TokenKind::Less)
             && line.is(at + 1, TokenKind::Minus)
             && line.touches_next(at);
         let before = at.checked_sub(1);
         if !is_arrow || before.is_none_or(|at| line.kind(at) != Some(RawKind::Word)) {
-            return;
+            return None;
         }
         let span = line.span(at).to(line.span(at + 1));
         let edits = vec![Edit::replace(span, "=")];
         let message = "unexpected `<-`; assignments use `=`";
-        all.push(syntax(span, message, "use `=`", edits));
+        Some(syntax(span, message, "use `=`", edits))
     }
 
     /// `float my-value = 1.0;`
-    fn hyphen(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn hyphen(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_name = self.is_type_word(line, at)
             && self.is_plain(line, at + 1)
             && line.is(at + 2, TokenKind::Minus)
             && self.is_plain(line, at + 3)
             && line.touches_next(at + 1)
             && line.touches_next(at + 2);
-        let Some(code) = self.program.sources.code_at(line.start).filter(|_| is_name) else {
-            return;
-        };
+        let code = self
+            .program
+            .sources
+            .code_at(line.start)
+            .filter(|_| is_name)?;
         let span = line.span(at + 1).to(line.span(at + 3));
         let name = line.of(span);
         let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -103,7 +105,7 @@ impl FaultyShader<'_> {
         });
         let message = format!("unexpected `-` in the name `{name}`");
         let title = format!("use `{text}`");
-        all.push(syntax(span, message, title, edits.collect()));
+        Some(syntax(span, message, title, edits.collect()))
     }
 
     /// `float = 0.0;`: the name may be one that is undeclared later.
@@ -146,13 +148,12 @@ impl FaultyShader<'_> {
     }
 
     /// `...` for code that was left out.
-    fn ellipsis(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn ellipsis(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_dot = |at: usize| line.is(at, TokenKind::Dot);
-        if line.starts_statement(at) && is_dot(at) && is_dot(at + 1) && is_dot(at + 2) {
-            let span = line.span(at).to(line.span(at + 2));
-            let message = "`...` stands for code that was left out";
-            all.push(syntax(span, message, "remove it", vec![Edit::delete(span)]));
-        }
+        let is_it = line.starts_statement(at) && is_dot(at) && is_dot(at + 1) && is_dot(at + 2);
+        let span = line.span(at).to(line.span(at + 2));
+        let message = "`...` stands for code that was left out";
+        is_it.then(|| syntax(span, message, "remove it", vec![Edit::delete(span)]))
     }
 
     /// `ouput vec4 color` in a parameter list.
@@ -179,39 +180,33 @@ impl FaultyShader<'_> {
     }
 
     /// `vec2 &n = uv;`
-    fn reference(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn reference(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_reference = self.is_type_word(line, at)
             && line.is(at + 1, TokenKind::And)
             && self.is_plain(line, at + 2)
             && line.is(at + 3, TokenKind::Equal);
-        if is_reference {
-            let span = line.span(at + 1);
-            let edits = vec![Edit::delete(span)];
-            let message = "GLSL has no references";
-            all.push(foreign(span, message, "remove `&`", edits));
-        }
+        let span = line.span(at + 1);
+        let message = "GLSL has no references";
+        is_reference.then(|| foreign(span, message, "remove `&`", vec![Edit::delete(span)]))
     }
 
     /// `struct Ray { vec3 o = vec3(0.0); };`
-    fn member_value(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn member_value(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let span = line.span(at);
         let is_it = |d: &Diagnostic| d.is(error::FOREIGN_SYNTAX) && d.span.start == span.start;
         let is_reported = self.errors.iter().any(is_it);
         if !is_reported || !line.is(at, TokenKind::Equal) || at == 0 {
-            return;
+            return None;
         }
-        let end = (at..line.tokens.len()).find(|&at| line.is(at, TokenKind::Semicolon));
-        let Some(end) = end else { return };
-        let edits = vec![Edit::delete(Span::new(
-            line.span(at - 1).end,
-            line.span(end).start,
-        ))];
+        let end = (at..line.tokens.len()).find(|&at| line.is(at, TokenKind::Semicolon))?;
+        let value = Span::new(line.span(at - 1).end, line.span(end).start);
+        let edits = vec![Edit::delete(value)];
         let message = "a member cannot have an initializer";
-        all.push(foreign(span, message, "remove the initializer", edits));
+        Some(foreign(span, message, "remove the initializer", edits))
     }
 
     /// `2.0px`, `45.0deg`: a number with a unit.
-    fn number_suffix(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn number_suffix(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let (text, span) = (line.token(at), line.span(at));
         let number = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
         let unit = text.get(number.len()..).unwrap_or("");
@@ -219,30 +214,27 @@ impl FaultyShader<'_> {
             && number.parse::<f32>().is_ok()
             && !unit.is_empty();
         if !is_number {
-            return;
+            return None;
         }
         let value = match unit {
             "deg" => format!("radians({number})"),
             _ => number.to_string(),
         };
         let message = format!("GLSL has no units such as `{unit}`");
-        all.push(replacement(error::INVALID_NUMBER, span, message, value));
+        Some(replacement(error::INVALID_NUMBER, span, message, value))
     }
 
     /// `c =* 0.5;`
-    fn swapped_operator(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
-        let operator = ["*", "/", "%"]
-            .into_iter()
-            .find(|o| *o == line.token(at + 1));
-        let Some(operator) =
-            operator.filter(|_| line.is(at, TokenKind::Equal) && line.touches_next(at))
-        else {
-            return;
-        };
+    fn swapped_operator(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
+        let operator = line.token(at + 1);
+        let is_swapped = line.is(at, TokenKind::Equal) && line.touches_next(at);
+        if !is_swapped || !matches!(operator, "*" | "/" | "%") {
+            return None;
+        }
         let span = line.span(at).to(line.span(at + 1));
         let message = format!("unexpected `={operator}`");
         let text = format!("{operator}=");
-        all.push(replacement(error::SYNTAX_ERROR, span, message, text));
+        Some(replacement(error::SYNTAX_ERROR, span, message, text))
     }
 
     /// `x **= 2.0;`
@@ -273,21 +265,19 @@ impl FaultyShader<'_> {
     }
 
     /// `abs p`, `discard(c);`
-    fn bare_argument(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn bare_argument(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let (word, span) = (line.token(at), line.span(at));
         if word == "discard" && line.is(at + 1, TokenKind::LeftParen) {
-            if let Some(after) = line.after(at + 1) {
-                let arguments = line.span(at + 1).to(line.span(after - 1));
-                let edits = vec![Edit::delete(arguments)];
-                let (kind, message) = (error::SYNTAX_ERROR, "`discard` has no arguments");
-                all.push(candidate(kind, arguments, message, "remove them", edits));
-            }
-            return;
+            let after = line.after(at + 1)?;
+            let arguments = line.span(at + 1).to(line.span(after - 1));
+            let edits = vec![Edit::delete(arguments)];
+            let message = "`discard` has no arguments";
+            return Some(syntax(arguments, message, "remove them", edits));
         }
         // `#define texture lookup` defines the name.
         let is_defined = at > 0 && line.token(at - 1) == "define";
         if is_defined || BuiltinId::named(word).is_none() || !self.is_plain(line, at + 1) {
-            return;
+            return None;
         }
         let mut last = at + 1;
         while line.is(last + 1, TokenKind::Dot) && line.kind(last + 2) == Some(RawKind::Word) {
@@ -297,14 +287,14 @@ impl FaultyShader<'_> {
         let text = format!("{word}({})", line.of(argument));
         let message = format!("arguments of `{word}` must be in parentheses");
         let whole = span.to(argument);
-        all.push(replacement(error::SYNTAX_ERROR, whole, message, text));
+        Some(replacement(error::SYNTAX_ERROR, whole, message, text))
     }
 
     /// `if (not x > 0.5)`: the word negates the comparison, where `!` would negate `x`.
-    fn negated_words(&self, line: &FaultyLine, at: usize, all: &mut Vec<RepairCandidate>) {
+    fn negated_words(&self, line: &FaultyLine, at: usize) -> Option<RepairCandidate> {
         let is_not = BuiltinId::named(line.token(at)) == Some(BuiltinId::Not);
         if !is_not || line.is(at + 1, TokenKind::LeftParen) {
-            return;
+            return None;
         }
         let mut depth = 0_u32;
         let end = (at + 1..line.tokens.len()).find(|&at| match line.kind(at) {
@@ -322,34 +312,24 @@ impl FaultyShader<'_> {
             _ => depth == 0 && matches!(line.token(at), "and" | "or"),
         });
         let compares = |at: usize| matches!(line.token(at), "<" | ">" | "<=" | ">=" | "==" | "!=");
-        let Some(end) = end.filter(|end| (at + 1..*end).any(compares)) else {
-            return;
-        };
+        let end = end.filter(|end| (at + 1..*end).any(compares))?;
         let inner = line.span(at + 1).to(line.span(end - 1));
         let text = format!("!({})", line.of(inner));
         let span = line.span(at);
         let edits = vec![Edit::replace(span.to(inner), text.clone())];
-        let (kind, message) = (error::FOREIGN_SYNTAX, "GLSL has no operator `not`");
-        all.push(candidate(
-            kind,
-            span,
-            message,
-            format!("use `{text}`"),
-            edits,
-        ));
+        let message = "GLSL has no operator `not`";
+        Some(foreign(span, message, format!("use `{text}`"), edits))
     }
 
     /// `precision float highp;`
-    fn precision_order(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn precision_order(&self, line: &FaultyLine) -> Option<RepairCandidate> {
         let is_swapped = line.token(0) == "precision"
             && self.is_type_word(line, 1)
             && matches!(line.token(2), "highp" | "mediump" | "lowp");
-        if is_swapped {
-            let span = line.span(1).to(line.span(2));
-            let text = format!("{} {}", line.token(2), line.token(1));
-            let message = format!("expected a precision, found `{}`", line.token(1));
-            all.push(replacement(error::SYNTAX_ERROR, span, message, text));
-        }
+        let span = line.span(1).to(line.span(2));
+        let text = format!("{} {}", line.token(2), line.token(1));
+        let message = format!("expected a precision, found `{}`", line.token(1));
+        is_swapped.then(|| replacement(error::SYNTAX_ERROR, span, message, text))
     }
 
     /// `loop {`, `try { ... } catch (e) { ... }`, `unless (x) ...`
@@ -398,21 +378,15 @@ impl FaultyShader<'_> {
     }
 
     /// `if (x) { y(); end`
-    fn word_for_brace(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let Some(last) = line.tokens.len().checked_sub(1) else {
-            return;
-        };
+    fn word_for_brace(&self, line: &FaultyLine) -> Option<RepairCandidate> {
+        let last = line.tokens.len().checked_sub(1)?;
         let is_open = self.errors.iter().any(|d| d.is(error::UNCLOSED_DELIMITER));
         if !is_open || !line.starts_statement(last) || !self.is_plain(line, last) {
-            return;
+            return None;
         }
         let (word, span) = (line.token(last), line.span(last));
         let message = format!("GLSL has no `{word}`; a block ends with `}}`");
-        all.push(replacement(
-            error::FOREIGN_SYNTAX,
-            span,
-            message,
-            "}".into(),
-        ));
+        let kind = error::FOREIGN_SYNTAX;
+        Some(replacement(kind, span, message, "}".into()))
     }
 }
