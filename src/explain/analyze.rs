@@ -6,8 +6,8 @@ use super::root_cause::attribute;
 use super::single_pass::analyze_single_pass;
 use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_semantic::problem::MAX_ERRORS;
-use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint_syntax::{GlContext, Search};
+use shaderlint_semantic::{Completeness, Stage, Unit};
+use shaderlint_syntax::Search;
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::sync::Arc;
 
@@ -26,15 +26,8 @@ pub fn analyze_fragment(code: &str) -> Checked {
 }
 
 fn analyze_files(sources: Sources, files: &[FileId]) -> Checked {
-    analyze(&Unit {
-        sources: &Arc::new(sources),
-        files,
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        context: GlContext::WEBGL2,
-        infer_channels: false,
-        completeness: Completeness::Complete,
-    })
+    let sources = Arc::new(sources);
+    analyze(&Unit::complete(&sources, files, Stage::Fragment))
 }
 
 /// Checks a shader fragment in every way in which a host may complete it, most likely first; only

@@ -299,11 +299,7 @@ pub fn period(function: BuiltinId) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::calls::Calls;
-    use crate::ranges::Ranges;
-    use crate::reaching_definitions::ReachingDefinitions;
-    use crate::test_shader::{cases, checked};
-    use shaderlint_ir::lower;
+    use crate::test_shader::{TestShader, cases};
 
     /// Checks the uses of the first `mod` in a shader, in a function `f` of `x`.
     #[track_caller]
@@ -313,18 +309,11 @@ mod tests {
             float f(float x) {{ {body} }}
             void mainImage(out vec4 o, vec2 q) {{ o = vec4(f(q.x)); }}"
         );
-        let analysis = checked(&code);
-        let module = lower(&analysis.program);
-        let calls = Calls::of(&module);
-        let query = Query {
-            program: &analysis.program,
-            module: &module,
-            defs: &ReachingDefinitions::of(&analysis.program, &module, &calls),
-            ranges: &Ranges::default(),
-        };
+        let shader = TestShader::of(&code);
+        let module = &shader.module;
         let is_mod = |op: &OpId| matches!(module.op(*op).kind, OpKind::Builtin(BuiltinId::Mod, _));
         let value = (0..module.ops.len() as u32).map(OpId).find(is_mod).unwrap();
-        let found = match angle_uses(query, value) {
+        let found = match angle_uses(shader.query(), value) {
             Some(uses) => {
                 let uses = uses
                     .iter()

@@ -233,19 +233,17 @@ fn computed(operator: Binary, a: f64, b: f64, is_integer: bool) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::test_shader::{cases, checked};
     use super::*;
+    use crate::test_shader::{TestShader, cases};
 
     /// The columns of `iChannel0` that a shader reads.
     fn read(code: &str) -> (Vec<u32>, bool) {
-        let program = checked(code).program;
-        let module = shaderlint_ir::lower(&program);
-        let calls = Calls::of(&module);
-        let defs = ReachingDefinitions::of(&program, &module, &calls);
+        let shader = TestShader::of(code);
+        let program = &shader.program;
         let name = program.names.get("iChannel0").unwrap();
         let mut variables = (0..).map(VariableId).zip(&program.variables);
         let (uniform, _) = variables.find(|(_, v)| v.name == name).unwrap();
-        let found = column_reads(&module, &defs, &calls, uniform, 256);
+        let found = column_reads(&shader.module, &shader.defs, &shader.calls, uniform, 256);
         (found.columns.into_iter().collect(), found.reads_others)
     }
 

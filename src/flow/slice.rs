@@ -141,16 +141,12 @@ fn is_componentwise(kind: OpKind) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::calls::Calls;
-    use crate::test_shader::checked;
-    use shaderlint_ir::lower;
+    use crate::test_shader::TestShader;
 
     /// Checks which built-in functions flow into the output, `max` excluded.
     #[track_caller]
     fn check(code: &str, expected: &str) {
-        let analysis = checked(code);
-        let module = lower(&analysis.program);
-        let defs = ReachingDefinitions::of(&analysis.program, &module, &Calls::of(&module));
+        let TestShader { module, defs, .. } = TestShader::of(code);
         let entry = module.function(module.entry.unwrap()).unwrap();
         let output = module.parameters(entry)[0];
         let exits = (0..4).filter_map(|lane| defs.exit(defs.slot(output, lane)));

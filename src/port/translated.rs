@@ -7,8 +7,7 @@ use super::output::{Build, BuildError, File, NamedPass, Remark, file, named};
 use super::{Composed, Project};
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_explain::{Checked, analyze};
-use shaderlint_semantic::{Completeness, Dialect, GuessedKind, Stage, Unit, guess};
-use shaderlint_syntax::GlContext;
+use shaderlint_semantic::{GuessedKind, Stage, Unit, guess};
 use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;
@@ -68,15 +67,7 @@ pub fn complete_shaders(files: Vec<(String, String, Option<Stage>)>) -> Option<C
     let sources = Arc::new(sources);
     let mut shaders = Vec::new();
     for (path, kind, stage, file) in added {
-        let checked = analyze(&Unit {
-            sources: &sources,
-            files: &[file],
-            stage,
-            dialect: Dialect::WebGl,
-            context: GlContext::WEBGL2,
-            infer_channels: false,
-            completeness: Completeness::Complete,
-        });
+        let checked = analyze(&Unit::complete(&sources, &[file], stage));
         let is_complete = match kind {
             GuessedKind::Versioned => true,
             // A shader fragment for a host can look like this too.

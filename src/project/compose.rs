@@ -3,8 +3,7 @@
 use super::sliders::{SliderChoice, Sliders};
 use super::{OutputId, Project, ProjectPass, Wrapper};
 use shaderlint_explain::{Checked, analyze};
-use shaderlint_semantic::{Channels, Completeness, Dialect, Pass, Stage, Unit};
-use shaderlint_syntax::GlContext;
+use shaderlint_semantic::{Channels, Dialect, Pass, Stage, Unit};
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::{Arc, OnceLock};
 
@@ -70,16 +69,11 @@ impl Composed {
     pub fn analysis<'a>(&self, unit: &'a PassUnit) -> &'a Checked {
         unit.checked.get_or_init(|| {
             analyze(&Unit {
-                sources: &self.sources,
-                files: &unit.files,
-                stage: unit.stage,
                 dialect: match unit.wrapper {
                     Wrapper::Player => Dialect::ShaderToy(unit.kind),
                     Wrapper::Own => Dialect::WebGl,
                 },
-                context: GlContext::WEBGL2,
-                infer_channels: false,
-                completeness: Completeness::Complete,
+                ..Unit::complete(&self.sources, &unit.files, unit.stage)
             })
         })
     }

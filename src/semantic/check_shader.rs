@@ -3,14 +3,14 @@
 use super::builtins::Stage;
 use super::checker::{ParsedShader, check};
 use super::corrections::{Corrected, Recheck};
-use super::dialect::Dialect;
+use super::dialect::{Dialect, Pass};
 use super::problem::MAX_ERRORS;
 use super::problem::Problems;
 use super::program::Program;
-use super::unit::{Completeness, Unit};
+use super::unit::Unit;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_syntax::{GlContext, ParseOptions, Preprocessed, Search, parse, preprocess};
-use shaderlint_text::{Role, Sources};
+use shaderlint_syntax::{ParseOptions, Preprocessed, Search, parse, preprocess};
+use shaderlint_text::{FileId, Role, Sources};
 use std::sync::Arc;
 
 /// A checked shader with all that is wrong in it.
@@ -96,14 +96,53 @@ pub fn check_shader(unit: &Unit, search: &mut Search) -> CheckedShader {
 pub fn check_fragment(code: &str) -> CheckedShader {
     let mut sources = Sources::new();
     let file = sources.add("test", None, Role::User, code);
-    let unit = Unit {
-        sources: &Arc::new(sources),
-        files: file.as_slice(),
-        stage: Stage::Fragment,
-        dialect: Dialect::WebGl,
-        context: GlContext::WEBGL2,
-        infer_channels: false,
-        completeness: Completeness::Complete,
-    };
+    let sources = Arc::new(sources);
+    let unit = Unit::complete(&sources, file.as_slice(), Stage::Fragment);
     check_shader(&unit, &mut Search::for_text())
+}
+
+/// The code of a shader after what its host inserts, for tests of several layers.
+pub fn with_prelude(dialect: Dialect, code: impl Into<String>) -> (Arc<Sources>, Vec<FileId>) {
+    let mut sources = Sources::new();
+    let prelude = dialect.host().prelude([None; 4]);
+    let prelude = sources.add("prelude", None, Role::Prelude, prelude);
+    let code = sources.add("test", None, Role::User, code.into());
+    (Arc::new(sources), prelude.into_iter().chain(code).collect())
+}
+
+/// Checks the code in a row of the checker's table of tests, `code => first problem`, for its tests and those of
+/// the messages.
+///
+/// The code is a fragment shader of GLSL ES 3.00, unless it starts with another stage: `vertex:`,
+/// `fragment 100:`, `vertex 100:`, or `image:` for a pass of ShaderToy.
+pub fn check_row(row: &str) -> (CheckedShader, &str) {
+    const HEAD: &str = "#version 300 es\n";
+    const PRECISION: &str = "precision highp float;\n";
+    let (written, expected) = row.rsplit_once(" => ").unwrap_or((row, ""));
+    let (stage, code) = written.split_once(": ").unwrap_or(("", written));
+    let (stage, dialect, text) = match stage {
+        "vertex" => (Stage::Vertex, Dialect::WebGl, format!("{HEAD}{code}")),
+        "vertex 100" => (Stage::Vertex, Dialect::WebGl, code.to_string()),
+        "fragment 100" => (
+            Stage::Fragment,
+            Dialect::WebGl,
+            format!("{PRECISION}{code}"),
+        ),
+        "image" => (
+            Stage::Fragment,
+            Dialect::ShaderToy(Pass::Image),
+            code.to_string(),
+        ),
+        _ => (
+            Stage::Fragment,
+            Dialect::WebGl,
+            format!("{HEAD}{PRECISION}{written}"),
+        ),
+    };
+    let (sources, files) = with_prelude(dialect, text);
+    let unit = Unit {
+        dialect,
+        ..Unit::complete(&sources, &files, stage)
+    };
+    (check_shader(&unit, &mut Search::for_text()), expected)
 }

@@ -179,31 +179,18 @@ fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {
 mod tests {
     use super::*;
     use crate::problem::MAX_ERRORS;
-    use crate::{Completeness, Dialect, Pass, Stage};
-    use shaderlint_syntax::GlContext;
-    use shaderlint_syntax::{Search, parse, preprocess};
-    use shaderlint_text::{Role, Sources};
+    use crate::{Dialect, Pass, Stage, with_prelude};
+    use shaderlint_syntax::{GlContext, Search, parse, preprocess};
     use std::sync::Arc;
 
     /// Number of errors found by a check that may stop after `enough`.
     fn count(code: &str, enough: usize) -> usize {
         let dialect = Dialect::ShaderToy(Pass::Image);
-        let mut sources = Sources::new();
-        let prelude = dialect.host().prelude([None; 4]);
-        let files = [
-            sources.add("prelude", None, Role::Prelude, prelude),
-            sources.add("test", None, Role::User, code),
-        ];
-        let files: Vec<_> = files.into_iter().flatten().collect();
-        let sources = Arc::new(sources);
+        let (sources, files) = with_prelude(dialect, code);
         let unit = Unit {
-            sources: &sources,
-            files: &files,
-            stage: Stage::Fragment,
             dialect,
-            context: GlContext::WEBGL2,
             infer_channels: true,
-            completeness: Completeness::Complete,
+            ..Unit::complete(&sources, &files, Stage::Fragment)
         };
         let mut read = preprocess(&sources, &files, true, GlContext::WEBGL2);
         let options = ParseOptions {

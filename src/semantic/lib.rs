@@ -50,7 +50,7 @@ mod unit;
 
 pub use builtins::{BuiltinId, Stage};
 pub use channels::needed_channels;
-pub use check_shader::{CheckedShader, check_fragment, check_shader};
+pub use check_shader::{CheckedShader, check_fragment, check_row, check_shader, with_prelude};
 pub use constant::{Constant, Pool, Value};
 pub use dialect::first_of_300;
 pub use dialect::{

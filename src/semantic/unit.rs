@@ -24,6 +24,21 @@ pub struct Unit<'a> {
     pub completeness: Completeness,
 }
 
+impl<'a> Unit<'a> {
+    /// A complete shader for WebGL2 without a host.
+    pub const fn complete(sources: &'a Arc<Sources>, files: &'a [FileId], stage: Stage) -> Self {
+        Unit {
+            sources,
+            files,
+            stage,
+            dialect: Dialect::WebGl,
+            context: GlContext::WEBGL2,
+            infer_channels: false,
+            completeness: Completeness::Complete,
+        }
+    }
+}
+
 /// How much of a shader a text contains.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Completeness {

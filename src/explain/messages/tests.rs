@@ -2,10 +2,8 @@
 
 use super::explain;
 use crate::analyze_fragment;
-use shaderlint_semantic::{Completeness, Dialect, Pass, Stage, Unit, check_shader};
-use shaderlint_syntax::{GlContext, Search};
-use shaderlint_text::{Role, Sources, apply_edits};
-use std::sync::Arc;
+use shaderlint_semantic::check_row;
+use shaderlint_text::apply_edits;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
                     uniform vec3 size;\nfloat own(vec2 p, float k) { return p.x * k; }\n\
@@ -83,52 +81,13 @@ fn fixes_make_complete_shaders_valid() {
 fn problems_of_the_checker_have_messages_of_one_line() {
     let rows = include_str!("../../semantic/checker/problems.txt").lines();
     for row in rows.filter(|row| !row.starts_with("# ")) {
-        let (code, expected) = row.rsplit_once(" => ").unwrap();
-        assert!(finds(code, expected), "{code}: no `{expected}`");
+        let (shader, expected) = check_row(row);
+        for d in explain(&shader.program, &shader.problems) {
+            let ends_well = !d.message.is_empty() && !d.message.ends_with('.');
+            assert!(ends_well && !d.message.contains('\n'), "{d:?}");
+        }
+        let mut problems = shader.problems.all.iter();
+        let is_found = problems.any(|p| format!("{:?}", p.what).contains(&format!("({expected}")));
+        assert!(is_found, "{row}");
     }
-}
-
-/// What the code of a table may start with.
-const STAGES: [&str; 5] = ["vertex", "vertex 100", "fragment", "fragment 100", "image"];
-
-/// Whether a row of the table has a problem with this name. All problems in it must have messages.
-fn finds(code: &str, expected: &str) -> bool {
-    let (stage, code) = match code.split_once(": ") {
-        Some((stage, code)) if STAGES.contains(&stage) => (stage, code),
-        _ => ("fragment", code),
-    };
-    let (stage, dialect, head) = match stage {
-        "vertex" => (Stage::Vertex, Dialect::WebGl, "#version 300 es\n"),
-        "vertex 100" => (Stage::Vertex, Dialect::WebGl, ""),
-        "image" => (Stage::Fragment, Dialect::ShaderToy(Pass::Image), ""),
-        "fragment 100" => (Stage::Fragment, Dialect::WebGl, "precision highp float;\n"),
-        _ => (
-            Stage::Fragment,
-            Dialect::WebGl,
-            "#version 300 es\nprecision highp float;\n",
-        ),
-    };
-    let mut sources = Sources::new();
-    let prelude = dialect.host().prelude([None; 4]);
-    let files = [
-        sources.add("prelude", None, Role::Prelude, prelude),
-        sources.add("test", None, Role::User, format!("{head}{code}")),
-    ];
-    let files: Vec<_> = files.into_iter().flatten().collect();
-    let unit = Unit {
-        sources: &Arc::new(sources),
-        files: &files,
-        stage,
-        dialect,
-        context: GlContext::WEBGL2,
-        infer_channels: false,
-        completeness: Completeness::Complete,
-    };
-    let shader = check_shader(&unit, &mut Search::for_text());
-    for d in explain(&shader.program, &shader.problems) {
-        let ends_well = !d.message.is_empty() && !d.message.ends_with('.');
-        assert!(ends_well && !d.message.contains('\n'), "{d:?}");
-    }
-    let mut problems = shader.problems.all.iter();
-    problems.any(|p| format!("{:?}", p.what).contains(&format!("({expected}")))
 }

@@ -14,8 +14,7 @@ use edits::original;
 pub use obstacle::{ObstacleKind, UpgradeObstacle};
 use scan::RawScan;
 use shaderlint_diagnostic::Severity;
-use shaderlint_semantic::{Completeness, Dialect, Program, Unit};
-use shaderlint_syntax::GlContext;
+use shaderlint_semantic::{Program, Unit};
 use shaderlint_text::{CompiledText, Edit, Role, Sources, Span, apply_edits};
 use std::sync::Arc;
 use words::WordMap;
@@ -74,15 +73,8 @@ fn check(program: &Program, code: &CompiledText, edits: &[Edit]) -> Result<(), U
     let mut sources = Sources::new();
     let file = sources.add("", None, Role::User, text).ok_or(included())?;
     let start = sources.file(file).map_or(0, |f| f.base);
-    let checked = analyze(&Unit {
-        sources: &Arc::new(sources),
-        files: &[file],
-        stage: program.stage,
-        dialect: Dialect::WebGl,
-        context: GlContext::WEBGL2,
-        infer_channels: false,
-        completeness: Completeness::Complete,
-    });
+    let sources = Arc::new(sources);
+    let checked = analyze(&Unit::complete(&sources, &[file], program.stage));
     let mut found = checked.diagnostics.into_iter();
     let Some(error) = found.find(|d| d.severity == Severity::Error) else {
         return Ok(());

@@ -3,22 +3,12 @@
 use super::*;
 use crate::Checked;
 use shaderlint_semantic::Stage;
-use shaderlint_syntax::GlContext;
-use shaderlint_text::FileId;
 
 fn checked(stage: Stage, text: &str) -> Checked {
     let mut sources = Sources::new();
     let file = sources.add("a", None, Role::User, text);
-    let files: &[FileId] = file.as_slice();
-    analyze(&Unit {
-        sources: &Arc::new(sources),
-        files,
-        stage,
-        dialect: Dialect::WebGl,
-        context: GlContext::WEBGL2,
-        infer_channels: false,
-        completeness: Completeness::Complete,
-    })
+    let sources = Arc::new(sources);
+    analyze(&Unit::complete(&sources, file.as_slice(), stage))
 }
 
 /// The converted text, or the text at the obstacle and its kind.

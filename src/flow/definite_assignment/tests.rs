@@ -1,36 +1,15 @@
 //! Tests of definite assignment.
 
 use super::{DefiniteAssignment, UnassignedVariable};
-use crate::calls::Calls;
-use crate::ranges::{Query, Ranges};
-use crate::reaching_definitions::ReachingDefinitions;
-use crate::test_shader::cases;
-use shaderlint_ir::lower;
+use crate::test_shader::{TestShader, cases, checked};
 use shaderlint_semantic::problem::{CallError, ProblemKind};
-use shaderlint_semantic::{Completeness, Dialect, Mentions, Pass, Stage, Unit, check_shader};
-use shaderlint_syntax::{GlContext, Search};
-use shaderlint_text::{Role, Sources};
-use std::sync::Arc;
+use shaderlint_semantic::{Completeness, Mentions};
 
 /// Compares the findings in the last function of `code`; `?` marks a variable that is guarded by a
 /// condition.
 #[track_caller]
 fn check(code: &str, expected: &str) {
-    let mut sources = Sources::new();
-    let head = Pass::Image.host().prelude([None; 4]);
-    let head = sources.add("", None, Role::Prelude, head).unwrap();
-    let user = sources.add("a.glsl", None, Role::User, code).unwrap();
-    let sources = Arc::new(sources);
-    let unit = Unit {
-        sources: &sources,
-        files: &[head, user],
-        stage: Stage::Fragment,
-        dialect: Dialect::ShaderToy(Pass::Image),
-        context: GlContext::WEBGL2,
-        infer_channels: true,
-        completeness: Completeness::Chunk,
-    };
-    let analysis = check_shader(&unit, &mut Search::for_text());
+    let analysis = checked(code, Completeness::Chunk);
     // A host adds the entry function and the bodies of prototypes.
     let is_added = |what: &ProblemKind| {
         matches!(
@@ -44,25 +23,13 @@ fn check(code: &str, expected: &str) {
     );
     let reported = [analysis.preprocessing, analysis.syntax, analysis.translated];
     assert_eq!(reported.concat(), [], "{code}");
-    let program = &analysis.program;
-    let module = lower(program);
-    let calls = Calls::of(&module);
-    let (defs, ranges) = (
-        ReachingDefinitions::of(program, &module, &calls),
-        Ranges::default(),
-    );
-    let query = || Query {
-        program,
-        module: &module,
-        defs: &defs,
-        ranges: &ranges,
-    };
-    let mentions = Mentions::of(program);
-    let paths = DefiniteAssignment::of((program, &module), &calls, &mentions, &query);
-    let tested = program
-        .functions
-        .iter()
-        .rposition(|f| f.definition.is_some());
+    let shader = TestShader::lowered(analysis.program);
+    let (program, mentions) = (&shader.program, Mentions::of(&shader.program));
+    let lowered = (program, &shader.module);
+    let query = || shader.query();
+    let paths = DefiniteAssignment::of(lowered, &shader.calls, &mentions, &query);
+    let mut functions = program.functions.iter();
+    let tested = functions.rposition(|f| f.definition.is_some());
     let tested = shaderlint_semantic::FunctionRef(tested.unwrap() as u32);
     let found = paths.get(tested).unwrap();
     let shown = |word: &str, unset: &UnassignedVariable| {

@@ -1,9 +1,8 @@
 //! Pairs of shaders that compute the same, and pairs that do not.
 
 use super::*;
-use crate::test_shader::checked;
-use crate::{Calls, Effects, Writes};
-use shaderlint_ir::lower;
+use crate::test_shader::TestShader;
+use crate::{Effects, Writes};
 use shaderlint_semantic::{Mentions, Structure};
 
 const MAIN: &str = "void mainImage(out vec4 c, in vec2 p) {";
@@ -12,21 +11,16 @@ const MAIN: &str = "void mainImage(out vec4 c, in vec2 p) {";
 #[track_caller]
 fn check(before: [&str; 2], after: [&str; 2], expected: bool) {
     let texts = [before, after].map(|[code, body]| format!("{code}\n{MAIN}\n{body}\n}}\n"));
-    let checked = texts.each_ref().map(|text| checked(text));
-    let modules = checked.each_ref().map(|c| lower(&c.program));
-    let effects: Vec<Effects> = checked
-        .iter()
-        .zip(&modules)
-        .map(|(c, module)| {
-            let program = &c.program;
-            let writes = Writes::of(program, module, &Mentions::of(program));
-            let calls = Calls::of(module);
-            Effects::of(program, module, &Structure::of(program), &calls, &writes)
-        })
-        .collect();
+    let shaders = texts.each_ref().map(|text| TestShader::of(text));
+    let effects = shaders.each_ref().map(|shader| {
+        let (program, module) = (&shader.program, &shader.module);
+        let writes = Writes::of(program, module, &Mentions::of(program));
+        let structure = Structure::of(program);
+        Effects::of(program, module, &structure, &shader.calls, &writes)
+    });
     let version = |at: usize| ShaderVersion {
-        program: &checked[at].program,
-        module: &modules[at],
+        program: &shaders[at].program,
+        module: &shaders[at].module,
         effects: &effects[at],
         entry: None,
     };

@@ -1,11 +1,7 @@
 //! Tests of loop bounds.
 
 use super::Loops;
-use crate::calls::Calls;
-use crate::ranges::{Query, Ranges};
-use crate::reaching_definitions::ReachingDefinitions;
-use crate::test_shader::{cases, checked};
-use shaderlint_ir::lower;
+use crate::test_shader::{TestShader, cases};
 
 /// Checks the bounds of the loops in `void f(int n, float x)`, which is called with 5 and with 9.
 #[track_caller]
@@ -14,15 +10,8 @@ fn check(body: &str, expected: &str) {
         "void f(int n, float x) {{ {body} }}
          void mainImage(out vec4 o, vec2 p) {{ f(5, p.x); f(9, p.y); o = vec4(p, 0.0, 1.0); }}"
     );
-    let analysis = checked(&code);
-    let module = lower(&analysis.program);
-    let defs = ReachingDefinitions::of(&analysis.program, &module, &Calls::of(&module));
-    let loops = Loops::of(Query {
-        program: &analysis.program,
-        module: &module,
-        defs: &defs,
-        ranges: &Ranges::default(),
-    });
+    let shader = TestShader::of(&code);
+    let loops = Loops::of(shader.query());
     let bounds: Vec<String> = loops.all.iter().map(|l| format!("{:?}", l.bound)).collect();
     assert_eq!(bounds.join(" "), expected, "{body}");
 }

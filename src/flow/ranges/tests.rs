@@ -1,11 +1,8 @@
 //! Tests of value ranges, in the form used in messages.
 
-use super::{Interval, Query, Ranges};
-use crate::calls::Calls;
-use crate::reaching_definitions::ReachingDefinitions;
-use crate::test_shader::{cases, checked};
-use shaderlint_ir::lower;
-use shaderlint_syntax::ast::{ExprKind, StmtKind};
+use super::Interval;
+use crate::test_shader::{TestShader, cases};
+use shaderlint_syntax::ast::{ExprId, ExprKind, StmtKind};
 
 /// The range of the value at the last `return` in `float test()`.
 fn interval(code: &str) -> Interval {
@@ -14,28 +11,18 @@ fn interval(code: &str) -> Interval {
 
 /// The range at an earlier `return`: the one with `skipped` others after it.
 fn returned(code: &str, skipped: usize) -> Interval {
-    let analysis = checked(code);
-    let program = &analysis.program;
-    let module = lower(program);
-    let defs = ReachingDefinitions::of(program, &module, &Calls::of(&module));
-    let query = Query {
-        program,
-        module: &module,
-        defs: &defs,
-        ranges: &Ranges::default(),
-    };
-    let mut returned = program
-        .tree
-        .stmts
-        .iter()
-        .rev()
-        .filter_map(|s| match s.kind {
-            StmtKind::Return(Some(e)) if !matches!(program.tree.expr(e).kind, ExprKind::Error) => {
-                Some(e)
-            }
-            _ => None,
-        });
-    query.expr(returned.nth(skipped).unwrap()).next().unwrap()
+    let shader = TestShader::of(code);
+    let tree = &shader.program.tree;
+    let is_valid = |e: &ExprId| !matches!(tree.expr(*e).kind, ExprKind::Error);
+    let mut returned = tree.stmts.iter().rev().filter_map(|s| match s.kind {
+        StmtKind::Return(value) => value.filter(is_valid),
+        _ => None,
+    });
+    shader
+        .query()
+        .expr(returned.nth(skipped).unwrap())
+        .next()
+        .unwrap()
 }
 
 /// Each case is the value of an expression, of a body with a `return`, or of the last `return` of a

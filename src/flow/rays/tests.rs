@@ -1,11 +1,7 @@
 //! Tests of the proof that a loop follows a ray.
 
 use super::ray_loops;
-use crate::calls::Calls;
-use crate::ranges::{Query, Ranges};
-use crate::reaching_definitions::ReachingDefinitions;
-use crate::test_shader::{cases, checked};
-use shaderlint_ir::lower;
+use crate::test_shader::{TestShader, cases};
 
 const SCENE: &str = "float map(vec3 p) { return length(p) - 1.0; }
     vec3 normal(vec3 p) { return normalize(p); }
@@ -15,32 +11,25 @@ const SCENE: &str = "float map(vec3 p) { return length(p) - 1.0; }
 #[track_caller]
 fn check_shader(code: &str, expected: &str) {
     let code = format!("{SCENE}{code}");
-    let analysis = checked(&code);
-    let module = lower(&analysis.program);
-    let calls = Calls::of(&module);
-    let defs = ReachingDefinitions::of(&analysis.program, &module, &calls);
-    let query = Query {
-        program: &analysis.program,
-        module: &module,
-        defs: &defs,
-        ranges: &Ranges::default(),
-    };
-    let rays = ray_loops(query, &calls).into_iter().map(|ray| {
-        let mut words = vec![format!("{:?}", ray.kind)];
-        let all = [
-            (ray.hit.is_some(), "hit"),
-            (ray.ends_far, "far"),
-            (ray.accumulates, "sum"),
-            (ray.start.is_some(), "camera"),
-            (ray.scene.is_some(), "scene"),
-        ];
-        words.extend(
-            all.iter()
-                .filter(|(is, _)| *is)
-                .map(|(_, word)| word.to_string()),
-        );
-        words.join(" ")
-    });
+    let shader = TestShader::of(&code);
+    let rays = ray_loops(shader.query(), &shader.calls)
+        .into_iter()
+        .map(|ray| {
+            let mut words = vec![format!("{:?}", ray.kind)];
+            let all = [
+                (ray.hit.is_some(), "hit"),
+                (ray.ends_far, "far"),
+                (ray.accumulates, "sum"),
+                (ray.start.is_some(), "camera"),
+                (ray.scene.is_some(), "scene"),
+            ];
+            words.extend(
+                all.iter()
+                    .filter(|(is, _)| *is)
+                    .map(|(_, word)| word.to_string()),
+            );
+            words.join(" ")
+        });
     assert_eq!(rays.collect::<Vec<_>>().join(", "), expected, "{code}");
 }
 

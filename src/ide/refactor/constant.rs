@@ -66,11 +66,6 @@ fn proposal(
     Some(ProposedRefactoring::new(RefactorKind::ExtractConstant, title, edits).named(name))
 }
 
-/// A literal as a constant with a slider, from zero to twice the value.
-pub(super) fn propose_slider(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    slider(place).into_iter().collect()
-}
-
 /// A number, and a range for its slider: from zero to twice the value.
 pub(super) struct NumberRange {
     pub expr: ExprId,
@@ -105,7 +100,8 @@ pub(super) fn number(place: &RefactorPlace) -> Option<NumberRange> {
     })
 }
 
-fn slider(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+/// A literal as a constant with a slider, from zero to twice the value.
+pub(super) fn propose_slider(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let NumberRange {
         expr, low, high, ..
     } = number(place)?;

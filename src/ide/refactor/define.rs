@@ -8,13 +8,12 @@ use shaderlint_syntax::Name;
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    let found = place.name().and_then(|name| match name.symbol {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+    match place.name()?.symbol {
         Symbol::Macro(name) => to_constant(place, name),
         Symbol::Variable(_) => to_macro(place),
         _ => None,
-    });
-    found.into_iter().collect()
+    }
 }
 
 fn to_constant(place: &RefactorPlace, name: Name) -> Option<ProposedRefactoring> {

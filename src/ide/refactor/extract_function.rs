@@ -7,12 +7,11 @@ use shaderlint_semantic::{Direction, FunctionRef, Storage, VariableId};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, Span, apply_edits};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    let found = match place.expr() {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+    match place.expr() {
         Some(expr) => of_expr(place, expr),
         None => of_statements(place),
-    };
-    found.into_iter().collect()
+    }
 }
 
 /// A variable that the new function gets.

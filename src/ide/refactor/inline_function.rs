@@ -9,11 +9,7 @@ use shaderlint_semantic::{FunctionRef, Resolution, starts_a_shader};
 use shaderlint_syntax::ast::*;
 use shaderlint_text::{Edit, apply_edits};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    proposal(place).into_iter().collect()
-}
-
-fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let name = place.name()?;
     let Symbol::Function(id) = name.symbol else {
         return None;

@@ -4,11 +4,7 @@ use super::place::RefactorPlace;
 use super::proposal::{ProposedRefactoring, RefactorKind};
 use shaderlint_text::{Edit, Span};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    proposal(place).into_iter().collect()
-}
-
-fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let id = place.variable()?;
     let program = place.program;
     let variable = program.variable(id)?;

@@ -41,21 +41,34 @@ pub fn refactorings(
     let Some(place) = RefactorPlace::of(document, files, selection) else {
         return Vec::new();
     };
-    type Propose = fn(&RefactorPlace) -> Vec<ProposedRefactoring>;
-    let all: [(RefactorKind, Propose); 10] = [
-        (RefactorKind::ExtractVariable, extract_variable::propose),
-        (RefactorKind::ExtractConstant, constant::propose),
-        (RefactorKind::ExtractFunction, extract_function::propose),
-        (RefactorKind::Inline, inline_variable::propose),
-        (RefactorKind::Inline, inline_function::propose),
-        (RefactorKind::Rewrite, constant::propose_slider),
-        (RefactorKind::Rewrite, uniform::propose),
-        (RefactorKind::Rewrite, define::propose),
-        (RefactorKind::Rewrite, upgrade::propose),
-        (RefactorKind::Move, move_function::propose),
+    enum Propose {
+        One(fn(&RefactorPlace) -> Option<ProposedRefactoring>),
+        Several(fn(&RefactorPlace) -> Vec<ProposedRefactoring>),
+    }
+    use Propose::*;
+    let all = [
+        (
+            RefactorKind::ExtractVariable,
+            Several(extract_variable::propose),
+        ),
+        (RefactorKind::ExtractConstant, Several(constant::propose)),
+        (
+            RefactorKind::ExtractFunction,
+            One(extract_function::propose),
+        ),
+        (RefactorKind::Inline, One(inline_variable::propose)),
+        (RefactorKind::Inline, One(inline_function::propose)),
+        (RefactorKind::Rewrite, One(constant::propose_slider)),
+        (RefactorKind::Rewrite, One(uniform::propose)),
+        (RefactorKind::Rewrite, One(define::propose)),
+        (RefactorKind::Rewrite, One(upgrade::propose)),
+        (RefactorKind::Move, One(move_function::propose)),
     ];
     let requested = all.into_iter().filter(|(kind, _)| is_requested(*kind));
-    let proposals = requested.flat_map(|(_, propose)| propose(&place));
+    let proposals = requested.flat_map(|(_, propose)| match propose {
+        One(propose) => propose(&place).into_iter().collect(),
+        Several(propose) => propose(&place),
+    });
     proposals
         .filter_map(|proposal| verify::verified(&place, proposal))
         .collect()

@@ -9,11 +9,7 @@ use shaderlint_semantic::starts_a_shader;
 use shaderlint_text::{Edit, Span};
 use std::path::Path;
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    proposal(place).into_iter().collect()
-}
-
-fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let name = place.name().filter(|n| n.access == NameUse::Defined)?;
     let Symbol::Function(id) = name.symbol else {
         return None;

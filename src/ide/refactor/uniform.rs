@@ -9,11 +9,7 @@ use shaderlint_semantic::Value;
 use shaderlint_text::number::shortest_decimal;
 use shaderlint_text::{Edit, Span};
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
-    proposal(place).into_iter().collect()
-}
-
-fn proposal(place: &RefactorPlace) -> Option<ProposedRefactoring> {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let document = place.document;
     if document.report.analyses.len() != 1 || document.report.holds_shaders() {
         return None;

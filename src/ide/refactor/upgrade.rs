@@ -6,7 +6,7 @@ use shaderlint_explain::upgrade;
 use shaderlint_semantic::Dialect;
 use shaderlint_syntax::Version;
 
-pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
+pub(super) fn propose(place: &RefactorPlace) -> Option<ProposedRefactoring> {
     let program = place.program;
     // Code that gives the shader to the browser may depend on its version.
     let is_alone =
@@ -17,9 +17,8 @@ pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
         .flatten();
     // Inputs with other names would need changes of the code that sets them.
     let done = done.filter(|done| done.renamed.is_empty());
-    let proposal = done.map(|done| ProposedRefactoring {
+    done.map(|done| ProposedRefactoring {
         evidence: RequiredProof::EqualImages,
         ..ProposedRefactoring::new(RefactorKind::Rewrite, "Convert to GLSL ES 3.00", done.edits)
-    });
-    proposal.into_iter().collect()
+    })
 }

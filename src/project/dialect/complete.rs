@@ -6,8 +6,8 @@ use shaderlint_diagnostic::Severity;
 use shaderlint_explain::{Checked, analyze};
 use shaderlint_host::{Preset, declared_in, matches_any};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
-use shaderlint_semantic::{Completeness, Dialect, Stage, Unit};
-use shaderlint_syntax::{GlContext, Lexer, RawKind, Version};
+use shaderlint_semantic::{Stage, Unit};
+use shaderlint_syntax::{Lexer, RawKind, Version};
 use shaderlint_text::{Role, Sources};
 use std::ops::Range;
 use std::sync::Arc;
@@ -129,15 +129,8 @@ impl Completion {
                 files.push(sources.add("", None, role, text.clone())?);
             }
         }
-        Some(analyze(&Unit {
-            sources: &Arc::new(sources),
-            files: &files,
-            stage: self.stage,
-            dialect: Dialect::WebGl,
-            context: GlContext::WEBGL2,
-            infer_channels: false,
-            completeness: Completeness::Complete,
-        }))
+        let sources = Arc::new(sources);
+        Some(analyze(&Unit::complete(&sources, &files, self.stage)))
     }
 }
 

@@ -2,8 +2,7 @@
 //! `problems.txt` too: each of its problems has a message.
 
 use super::*;
-use crate::{Completeness, Pass, Unit, check_shader};
-use shaderlint_syntax::{GlContext, Search};
+use crate::check_row;
 
 /// The enums of problems, and the files that define them.
 const SOURCES: [(&str, &str); 19] = [
@@ -43,65 +42,23 @@ fn every_problem_is_found() {
 
 /// Checks a table of lines `code => first problem`, and that each variant of the enum `name` in
 /// `source` is found.
-///
-/// The code is a fragment shader of GLSL ES 3.00, unless it starts with another stage: `vertex:`,
-/// `fragment 100:`, `vertex 100:`, or `image:` for a pass of ShaderToy.
 #[track_caller]
 pub(super) fn finds(source: &str, name: &str, table: &str) {
     let mut all = Vec::new();
     for row in table.lines().map(str::trim).filter(|row| !row.is_empty()) {
-        let (code, expected) = row.rsplit_once(" => ").expect(row);
-        let (stage, code) = match code.split_once(": ") {
-            Some((stage, code)) if STAGES.contains(&stage) => (stage, code),
-            _ => ("fragment", code),
+        let (shader, expected) = check_row(row);
+        let kind = |p: &Problem| {
+            let shown = format!("{:?}", p.what);
+            shown.split_once('(').map_or("", |(_, of)| of).to_string()
         };
-        let found = check(stage, code);
+        let found: Vec<String> = shader.problems.all.iter().map(kind).collect();
         let first = found.first().map(|f| variant(f));
-        assert_eq!(first, Some(expected), "{code}: {found:?}");
+        assert_eq!(first, Some(expected), "{row}: {found:?}");
         all.push(expected);
     }
     for one in variants(source, name) {
         assert!(all.contains(&one), "no code for `{name}::{one}`");
     }
-}
-
-const STAGES: [&str; 5] = ["vertex", "vertex 100", "fragment", "fragment 100", "image"];
-
-fn check(stage: &str, code: &str) -> Vec<String> {
-    let (stage, dialect, head) = match stage {
-        "vertex" => (Stage::Vertex, Dialect::WebGl, "#version 300 es\n"),
-        "vertex 100" => (Stage::Vertex, Dialect::WebGl, ""),
-        "fragment" => (
-            Stage::Fragment,
-            Dialect::WebGl,
-            "#version 300 es\nprecision highp float;\n",
-        ),
-        "fragment 100" => (Stage::Fragment, Dialect::WebGl, "precision highp float;\n"),
-        "image" => (Stage::Fragment, Dialect::ShaderToy(Pass::Image), ""),
-        _ => panic!("{stage} is no stage"),
-    };
-    let mut sources = Sources::new();
-    let prelude = dialect.host().prelude([None; 4]);
-    let files = [
-        sources.add("prelude", None, Role::Prelude, prelude),
-        sources.add("test", None, Role::User, format!("{head}{code}")),
-    ];
-    let files: Vec<_> = files.into_iter().flatten().collect();
-    let unit = Unit {
-        sources: &Arc::new(sources),
-        files: &files,
-        stage,
-        dialect,
-        context: GlContext::WEBGL2,
-        infer_channels: false,
-        completeness: Completeness::Complete,
-    };
-    let problems = check_shader(&unit, &mut Search::for_text()).problems;
-    let kind = |p: &Problem| {
-        let shown = format!("{:?}", p.what);
-        shown.split_once('(').map_or("", |(_, of)| of).to_string()
-    };
-    problems.all.iter().map(kind).collect()
 }
 
 /// The name of a variant, without its fields.
