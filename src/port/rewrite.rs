@@ -445,6 +445,7 @@ fn header(composed: &Composed, unit: &PassUnit, main: &Main) -> String {
 #[cfg(test)]
 mod tests {
     use crate::{Project, rewrite};
+    use shaderlint_text::each_case;
 
     /// The rewritten Image pass, or the reason why it was not rewritten.
     fn rewritten(code: &str) -> Result<String, String> {
@@ -455,16 +456,15 @@ mod tests {
 
     #[test]
     fn equivalent_main_functions_are_rewritten() {
-        let cases = include_str!("rewrites.txt").lines();
-        for case in cases.filter(|case| !case.starts_with("# ")) {
-            let (code, expected) = case.split_once(" ⇒ ").unwrap();
-            match rewritten(&format!("{}\n", code.replace('↵', "\n"))) {
-                Ok(text) => {
-                    assert!(text.contains("void main()"), "{text}");
-                    assert_eq!(expected, "rewritten", "{code}");
-                }
-                Err(reason) => assert_eq!(reason, expected, "{code}"),
-            }
-        }
+        each_case(include_str!("rewrites.txt"), |code, expected| {
+            let text = rewritten(&format!("{code}\n"));
+            let is_whole = text.as_ref().is_ok_and(|t| t.contains("void main()"));
+            let found = text.map_or_else(|reason| reason, |_| "rewritten".to_string());
+            assert_eq!(
+                (found.as_str(), is_whole),
+                (expected, expected == "rewritten"),
+                "{code}"
+            );
+        });
     }
 }

@@ -170,18 +170,17 @@ impl<'t> DrawReader<'t> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     #[test]
     fn size_expressions_are_parsed() {
-        let cases = include_str!("sizes.txt").lines();
-        for case in cases.filter(|case| !case.starts_with("# ")) {
-            let (text, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("sizes.txt"), |text, expected| {
             let read = match SizeTerm::read(text) {
                 Ok(term) => serde_json::to_string(&term).unwrap(),
                 Err(rest) => format!("at `{rest}`"),
             };
             assert_eq!(read, expected, "{text}");
-        }
+        });
         assert!(SizeTerm::read(&"(".repeat(100_000)).is_err());
         assert!(SizeTerm::read(&"-".repeat(100_000)).is_err());
     }

@@ -274,12 +274,11 @@ fn label(comment: &str, mark: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     #[test]
     fn marks_are_read_from_comments() {
-        let cases = include_str!("marks.txt").lines();
-        for case in cases.filter(|case| !case.starts_with("# ")) {
-            let (comment, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("marks.txt"), |comment, expected| {
             let found = match comment.strip_prefix("range: ") {
                 Some(comment) => tilde_range(comment).map(|(start, end, min, max)| {
                     let text = &comment[start..end];
@@ -289,7 +288,7 @@ mod tests {
                     .map(|(start, end, meaning)| format!("{} | {meaning:?}", &comment[start..end])),
             };
             assert_eq!(found.as_deref().unwrap_or("none"), expected, "{comment}");
-        }
+        });
         assert_eq!(label("//! slider[0, 1] of all", "slider[0, 1]"), "of all");
     }
 }

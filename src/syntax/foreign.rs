@@ -276,12 +276,11 @@ pub fn type_in_another_case(word: &str, version: Version) -> Option<TypeWord> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     #[test]
     fn types_of_other_languages_map_to_glsl_types() {
-        let cases = include_str!("foreign.txt").lines();
-        for case in cases.filter(|case| !case.starts_with("# ")) {
-            let (word, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("foreign.txt"), |word, expected| {
             let found = foreign(word, Version::Es300).map(|f| match f.meaning {
                 Type(t) | Function(t) | Value(t) | Code(t, _) | Nearly(t, ..) | Statement(t, _) => {
                     t
@@ -289,6 +288,6 @@ mod tests {
                 _ => "?",
             });
             assert_eq!(found.unwrap_or("none"), expected, "{word}");
-        }
+        });
     }
 }

@@ -4,6 +4,7 @@
 //! offsets determines both file and position. This crate does not parse GLSL.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
+mod cases;
 mod content;
 mod edit;
 pub mod json;
@@ -16,6 +17,7 @@ mod source;
 mod span;
 mod words;
 
+pub use cases::each_case;
 pub use content::{Content, Encoding};
 pub use edit::{Edit, EditError, apply_edits};
 pub use line_index::{LineIndex, Position};

@@ -3,6 +3,7 @@
 use super::lookup::{fetch, lookup, size_of};
 use super::*;
 use crate::row::LANES;
+use shaderlint_text::each_case;
 
 /// A grey image with these texel values, of 255.
 fn gray(shape: ImageShape, size: [u32; 3], texels: &[u8]) -> Image {
@@ -66,20 +67,18 @@ fn images_with_a_wrong_number_of_texels_are_refused() {
 /// Each case is an image with its texels, a sampler, coordinates, and what is found there.
 #[test]
 fn lookups_read_the_texels_of_an_image() {
-    let cases = include_str!("lookups.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (given, expected) = case.split_once(" ⇒ ").unwrap();
+    each_case(include_str!("lookups.txt"), |given, expected| {
         let [image, sampler, at] = given.split(" ‖ ").collect::<Vec<_>>()[..] else {
-            panic!("{case}");
+            panic!("{given}");
         };
         let numbers = |text: &str| -> Vec<f32> {
             let words = text.split(' ');
-            words.map(|word| word.parse().expect(case)).collect()
+            words.map(|word| word.parse().expect(given)).collect()
         };
         let ((shape, size), texels) = image
             .split_once(": ")
             .and_then(|(head, texels)| Some((head.split_once(' ')?, texels)))
-            .expect(case);
+            .expect(given);
         let shape = match shape {
             "flat" => ImageShape::Flat,
             "cube" => ImageShape::Cube,
@@ -92,7 +91,7 @@ fn lookups_read_the_texels_of_an_image() {
         let filter = match filter {
             "nearest" => Filter::Nearest,
             "linear" => Filter::Linear,
-            _ => panic!("{case}"),
+            _ => panic!("{given}"),
         };
         let wrap = match wrap {
             "clamp" => Wrap::Clamp,
@@ -101,9 +100,9 @@ fn lookups_read_the_texels_of_an_image() {
         };
         let image = gray(shape, [size[0], size[1], size[2]], &texels);
         let found = red(&texture(image, filter, wrap), &numbers(at), HERE, [0; 3]);
-        let expected: f32 = expected.parse().expect(case);
-        assert!((found - expected).abs() < 1e-3, "{found}: {case}");
-    }
+        let expected: f32 = expected.parse().expect(given);
+        assert!((found - expected).abs() < 1e-3, "{found}: {given}");
+    });
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::explain;
 use crate::analyze_fragment;
 use shaderlint_semantic::check_row;
-use shaderlint_text::apply_edits;
+use shaderlint_text::{apply_edits, each_case};
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n\
                     uniform vec3 size;\nfloat own(vec2 p, float k) { return p.x * k; }\n\
@@ -34,11 +34,7 @@ fn check(statement: &str, expected: &str) {
 /// A statement, and what `check` compares it with; `↵` is a line break.
 #[test]
 fn statements_have_the_expected_messages_and_fixes() {
-    let cases = include_str!("cases.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (statement, expected) = case.split_once(" ⇒ ").unwrap();
-        check(&statement.replace('↵', "\n"), &expected.replace('↵', "\n"));
-    }
+    each_case(include_str!("cases.txt"), check);
 }
 
 /// A missing brace has no position for an edit.
@@ -57,23 +53,21 @@ fn unclosed_initializer_lists_have_no_fix() {
 #[test]
 fn fixes_make_complete_shaders_valid() {
     const VERSION: &str = "#version 300 es\nprecision highp float;\n";
-    let cases = include_str!("shaders.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (before, expected) = case.split_once(" ⇒ ").unwrap();
-        let text = |code: &str| format!("{VERSION}{}", code.replace('↵', "\n"));
+    each_case(include_str!("shaders.txt"), |before, expected| {
+        let text = |code: &str| format!("{VERSION}{}", code);
         let only = before.strip_prefix("only: ");
         let before = text(only.unwrap_or(before));
         let found = analyze_fragment(&before).diagnostics;
-        assert!(only.is_none() || found.len() == 1, "{case}: {found:?}");
+        assert!(only.is_none() || found.len() == 1, "{before}: {found:?}");
         let fix = found.iter().find_map(|d| d.fix.as_ref());
         let after = fix.map(|f| apply_edits(&before, 0, &f.edits).unwrap());
         let expected = Some(expected).filter(|e| *e != "none").map(text);
-        assert_eq!(after, expected, "{case}");
+        assert_eq!(after, expected, "{before}");
         if let Some(after) = after {
             let left = analyze_fragment(&after).diagnostics;
             assert!(left.is_empty(), "{after}: {left:?}");
         }
-    }
+    });
 }
 
 /// Every problem in the checker's table of tests has a message of one line without a full stop.

@@ -1,7 +1,7 @@
 //! Errors in macros and directives are reported at the cause, and their fixes work.
 
 use crate::{Checked, analyze_fragment};
-use shaderlint_text::apply_edits;
+use shaderlint_text::{apply_edits, each_case};
 
 const HEAD_LINE: &str = "#version 300 es\n";
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\n";
@@ -48,24 +48,19 @@ pub(super) fn main_with(definitions: &str, body: &str) -> String {
 /// Definitions and directives, and the body of `main` after them.
 #[test]
 fn faulty_directives_are_reported_once_at_their_cause() {
-    let cases = include_str!("directives.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (code, expected) = case.split_once(" ⇒ ").unwrap();
-        let code = code.replace('↵', "\n");
+    each_case(include_str!("directives.txt"), |code, expected| {
         let (head, body) = code.split_once(" ‖ ").unwrap();
         check(&main_with(head, body), expected);
-    }
+    });
 }
 
 /// Complete shaders without their head, and the places and names of their errors.
 #[test]
 fn errors_of_complete_shaders_are_found() {
-    let cases = include_str!("complete.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (code, expected) = case.split_once(" ⇒ ").unwrap();
-        let reported = found(&code.replace('↵', "\n")).0.join(", ");
+    each_case(include_str!("complete.txt"), |code, expected| {
+        let reported = found(code).0.join(", ");
         assert_eq!(reported, expected.replace("none", ""), "{code}");
-    }
+    });
 }
 
 #[test]

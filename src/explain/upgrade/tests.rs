@@ -3,6 +3,7 @@
 use super::*;
 use crate::Checked;
 use shaderlint_semantic::Stage;
+use shaderlint_text::each_case;
 
 fn checked(stage: Stage, text: &str) -> Checked {
     let mut sources = Sources::new();
@@ -26,16 +27,13 @@ fn convert(stage: Stage, text: &str) -> String {
 
 #[test]
 fn shaders_are_converted() {
-    let cases = include_str!("cases.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (text, expected) = case.split_once(" ⇒ ").unwrap();
-        let [text, expected] = [text, expected].map(|text| text.replace('↵', "\n"));
+    each_case(include_str!("cases.txt"), |text, expected| {
         let found = match text.strip_prefix("vertex: ") {
             Some(text) => convert(Stage::Vertex, text),
             None => convert(Stage::Fragment, text.strip_prefix("fragment: ").unwrap()),
         };
         assert_eq!(found, expected, "{text}");
-    }
+    });
 }
 
 #[test]

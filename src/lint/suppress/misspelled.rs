@@ -133,19 +133,18 @@ fn nearest(word: &str, rules: &[&'static Rule]) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::example_rules::RULES;
+    use shaderlint_text::each_case;
 
     /// Each case is a comment and what was intended.
     #[test]
     fn misspelled_suppressions_are_recognised() {
-        let cases = include_str!("misspelled.txt").lines();
-        for case in cases.filter(|case| !case.starts_with("# ")) {
-            let (comment, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("misspelled.txt"), |comment, expected| {
             let corrected = read(comment, RULES).map_or("none".to_string(), |m| {
                 let mut text = comment.to_string();
                 text.replace_range(m.range.clone(), &m.corrected(&m.names));
                 text
             });
             assert_eq!(corrected, expected, "{comment}");
-        }
+        });
     }
 }

@@ -628,6 +628,7 @@ impl Recognised {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     #[test]
     fn ambiguous_dialects_are_reported() {
@@ -643,13 +644,11 @@ mod tests {
 
     #[test]
     fn dialects_are_recognised_by_their_own_names() {
-        let cases = include_str!("recognised.txt").lines();
-        for case in cases.filter(|case| !case.starts_with("# ")) {
-            let (text, dialect) = case.split_once(" ⇒ ").unwrap();
-            let found = recognise(&Clues::of(&text.replace('↵', "\n"))).unwrap();
+        each_case(include_str!("recognised.txt"), |text, dialect| {
+            let found = recognise(&Clues::of(text)).unwrap();
             assert_eq!(found.host.name, dialect, "{:?}\n{text}", found.signs);
             assert_eq!(found.tied, None, "{text}");
-        }
+        });
     }
 
     #[test]

@@ -543,6 +543,7 @@ fn key_code(name: &str) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     fn read(text: &str) -> String {
         match uniform(text) {
@@ -553,10 +554,9 @@ mod tests {
 
     #[test]
     fn uniform_directives_are_read() {
-        for case in include_str!("uniforms.txt").lines().skip(1) {
-            let (text, expected) = case.split_once(" ⇒ ").unwrap();
-            assert_eq!(read(text), expected.replace('↵', "\n"), "{text}");
-        }
+        each_case(include_str!("uniforms.txt"), |text, expected| {
+            assert_eq!(read(text), expected, "{text}");
+        });
     }
 
     #[test]

@@ -396,6 +396,7 @@ fn source_id(kind: InputKind, id: &str, src: &str) -> String {
 mod tests {
     use super::*;
     use shaderlint_semantic::Sampler;
+    use shaderlint_text::each_case;
 
     const PASS: &str = r#"{"type":"image","code":"x","name":"","outputs":[{"id":"4dfGRr"}],
         "inputs":[{"id":"4dXGR8","type":"buffer","channel":2,"sampler":{"filter":"linear","vflip":"true"}}]}"#;
@@ -470,10 +471,9 @@ mod tests {
 
     #[test]
     fn errors_have_a_position_or_path() {
-        for case in include_str!("errors.txt").lines().skip(1) {
-            let (json, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("errors.txt"), |json, expected| {
             let error = Project::from_json(json).unwrap_err();
             assert_eq!(error.to_string(), expected, "{json}");
-        }
+        });
     }
 }

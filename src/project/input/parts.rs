@@ -286,6 +286,7 @@ impl Project {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     #[test]
     fn numbered_programs_of_screen_savers_are_passes() {
@@ -317,11 +318,10 @@ mod tests {
 
     #[test]
     fn file_names_identify_passes() {
-        for case in include_str!("file_names.txt").lines().skip(1) {
-            let (name, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("file_names.txt"), |name, expected| {
             let role = PassRole::of_name(name).map_or("none", PassRole::name);
             assert_eq!(role, expected, "{name}");
-        }
+        });
     }
 
     #[test]

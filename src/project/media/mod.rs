@@ -71,22 +71,22 @@ pub fn is_gray(input: &Input) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shaderlint_text::each_case;
 
     /// Each case is the kind of an input, its number, its path, and its placeholder.
     #[test]
     fn media_files_are_identified_by_id_or_path() {
-        for case in include_str!("media.txt").lines().skip(1) {
-            let (given, expected) = case.split_once(" ⇒ ").unwrap();
+        each_case(include_str!("media.txt"), |given, expected| {
             let [kind, id, src] = given.split(" ‖ ").collect::<Vec<_>>()[..] else {
-                panic!("{case}");
+                panic!("{given}");
             };
             let mut input = Input::empty(0, InputKind::of(kind).unwrap());
             (input.id, input.src) = (id.to_string(), src.to_string());
             let found = stand_in(&input).map_or("none".to_string(), |s| {
                 format!("{} {} {:?}", s.generator.name, s.title, s.size)
             });
-            assert_eq!(found, expected, "{case}");
-        }
+            assert_eq!(found, expected, "{given}");
+        });
     }
 
     #[test]

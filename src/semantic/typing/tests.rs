@@ -4,6 +4,7 @@ use super::*;
 use crate::types::*;
 use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
 use shaderlint_syntax::{Names, TypeWord, Version};
+use shaderlint_text::each_case;
 
 const SYMBOLS: [(&str, BinaryOp); 12] = [
     ("*", BinaryOp::Mul),
@@ -156,15 +157,13 @@ fn operate(version: Version, input: &str) -> String {
 
 #[test]
 fn operators_have_the_types_of_the_standard() {
-    let cases = include_str!("cases.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (input, expected) = case.split_once(" ⇒ ").unwrap();
+    each_case(include_str!("cases.txt"), |input, expected| {
         let found = match input.strip_prefix("es 100: ") {
             Some(input) => operate(Version::Es100, input),
             None => operate(Version::Es300, input),
         };
         assert_eq!(found, expected, "{input}");
-    }
+    });
 }
 
 /// Unary operators, conditions, values that are returned, members, elements and constructors.
@@ -212,10 +211,8 @@ fn form(word: &str, operands: &str) -> String {
 
 #[test]
 fn forms_have_the_types_of_the_standard() {
-    let cases = include_str!("forms.txt").lines();
-    for case in cases.filter(|case| !case.starts_with("# ")) {
-        let (input, expected) = case.split_once(" ⇒ ").unwrap();
+    each_case(include_str!("forms.txt"), |input, expected| {
         let (word, operands) = input.split_once(" of").unwrap();
         assert_eq!(form(word, operands.trim()), expected, "{input}");
-    }
+    });
 }
