@@ -28,6 +28,14 @@ macro_rules! rule {
     };
 }
 
+/// Lists the rules of these modules, sorted by name.
+macro_rules! rules {
+    ($($module:ident)+) => {
+        /// All rules, sorted by name.
+        pub static RULES: &[&Rule] = &[$(&$module::RULE),+];
+    };
+}
+
 mod aspect_ellipse;
 mod assignment_in_condition;
 mod backend_keyword;
@@ -180,142 +188,30 @@ pub fn page(name: &str) -> Option<&'static str> {
     rule(name).map_or_else(|| error_page(name), |rule| Some(rule.page))
 }
 
-/// All rules, sorted by name.
-#[rustfmt::skip]
-pub static RULES: &[&Rule] = &[
-    &aspect_ellipse::RULE,
-    &assignment_in_condition::RULE,
-    &backend_keyword::RULE,
-    &black_silhouette::RULE,
-    &camera_inside::RULE,
-    &clamp_bounds::RULE,
-    &comment_continues::RULE,
-    &component_by_index::RULE,
-    &constant_condition::RULE,
-    &contradiction::RULE,
-    &copied_component::RULE,
-    &could_be_const::RULE,
-    &dangling_else::RULE,
-    &dark_frame::RULE,
-    &dead_code::RULE,
-    &dead_store::RULE,
-    &define_with_call::RULE,
-    &degrees_in_trig::RULE,
-    &derivative_in_divergent_flow::RULE,
-    &derivative_of_jump::RULE,
-    &derivative_of_uniform::RULE,
-    &division_by_zero_seen::RULE,
-    &double_gamma::RULE,
-    &double_underscore::RULE,
-    &duplicate_branch::RULE,
-    &empty_body::RULE,
-    &endless_rays::RULE,
-    &exp_overflow::RULE,
-    &extension_not_enabled::RULE,
-    &flat_frame::RULE,
-    &float_counter_drift::RULE,
-    &float_equality::RULE,
-    &gpu_dependent_picture::RULE,
-    &gradient_in_loop::RULE,
-    &gray_picture::RULE,
-    &half_texel::RULE,
-    &identity_operation::RULE,
-    &index_range::RULE,
-    &infinite_pixels::RULE,
-    &inout_alias::RULE,
-    &integer_division::RULE,
-    &inverse_trig_range::RULE,
-    &isnan_optimised::RULE,
-    &known_comparison::RULE,
-    &legacy_extension::RULE,
-    &length_compare::RULE,
-    &log_nonpositive::RULE,
-    &loop_invariant_call::RULE,
-    &loop_invariant_math::RULE,
-    &loop_never_runs::RULE,
-    &luma_weights::RULE,
-    &macro_parentheses::RULE,
-    &macro_statements::RULE,
-    &mainimage_qualifiers::RULE,
-    &manual_builtin::RULE,
-    &map_inlining::RULE,
-    &mediump_noise::RULE,
-    &misleading_indentation::RULE,
-    &misplaced_sign::RULE,
-    &missed_surface::RULE,
-    &missing_return_path::RULE,
-    &mistyped_constant::RULE,
-    &mouse_sign::RULE,
-    &nan_compare::RULE,
-    &nan_pixels::RULE,
-    &needless_bool::RULE,
-    &negative_remainder::RULE,
-    &negative_to_uint::RULE,
-    &nested_iterations::RULE,
-    &no_early_exit::RULE,
-    &no_effect::RULE,
-    &normal_length::RULE,
-    &normalize_zero::RULE,
-    &octal_literal::RULE,
-    &octave_budget::RULE,
-    &old_version::RULE,
-    &out_of_range_seen::RULE,
-    &output_not_written::RULE,
-    &overwritten_parameter::RULE,
-    &period_jump::RULE,
-    &pow_in_loop::RULE,
-    &pow_negative_base::RULE,
-    &precision_missing_for_sampler::RULE,
-    &redundant_constructor::RULE,
-    &redundant_normalize::RULE,
-    &repeated_call::RULE,
-    &rounded_away::RULE,
-    &same_operands::RULE,
-    &self_assignment::RULE,
-    &shadow_steps::RULE,
-    &shadowed_name::RULE,
-    &shadows_builtin::RULE,
-    &shared_counter::RULE,
-    &shift_precedence::RULE,
-    &shift_range::RULE,
-    &short_steps::RULE,
-    &sin_hash::RULE,
-    &single_turn_loop::RULE,
-    &six_sample_normal::RULE,
-    &smoothstep_edges::RULE,
-    &sqrt_negative::RULE,
-    &static_picture::RULE,
-    &step_budget::RULE,
-    &steps_exhausted::RULE,
-    &swapped_arguments::RULE,
-    &switch_fallthrough::RULE,
-    &switch_return::RULE,
-    &texel_out_of_range::RULE,
-    &texture_seam::RULE,
-    &texture_units::RULE,
-    &time_precision::RULE,
-    &truncated_cell::RULE,
-    &tunable_range::RULE,
-    &unbounded_loop::RULE,
-    &undefined_constant::RULE,
-    &undefined_seen::RULE,
-    &uniform_without_effect::RULE,
-    &uninitialized_read::RULE,
-    &uninitialized_seen::RULE,
-    &unknown_uniform::RULE,
-    &unreachable_case::RULE,
-    &unreachable_height::RULE,
-    &unsigned_underflow::RULE,
-    &unused_allow::RULE,
-    &unused_function::RULE,
-    &unused_macro::RULE,
-    &unused_parameter::RULE,
-    &unused_uniform::RULE,
-    &unused_variable::RULE,
-    &useless_clamp::RULE,
-    &vec2_resolution::RULE,
-    &vector_times_matrix::RULE,
-    &washed_out::RULE,
-    &webgl1_context::RULE,
-    &zero_division::RULE,
-];
+rules! {
+    aspect_ellipse assignment_in_condition backend_keyword black_silhouette camera_inside
+    clamp_bounds comment_continues component_by_index constant_condition contradiction
+    copied_component could_be_const dangling_else dark_frame dead_code dead_store define_with_call
+    degrees_in_trig derivative_in_divergent_flow derivative_of_jump derivative_of_uniform
+    division_by_zero_seen double_gamma double_underscore duplicate_branch empty_body endless_rays
+    exp_overflow extension_not_enabled flat_frame float_counter_drift float_equality
+    gpu_dependent_picture gradient_in_loop gray_picture half_texel identity_operation index_range
+    infinite_pixels inout_alias integer_division inverse_trig_range isnan_optimised known_comparison
+    legacy_extension length_compare log_nonpositive loop_invariant_call loop_invariant_math
+    loop_never_runs luma_weights macro_parentheses macro_statements mainimage_qualifiers
+    manual_builtin map_inlining mediump_noise misleading_indentation misplaced_sign missed_surface
+    missing_return_path mistyped_constant mouse_sign nan_compare nan_pixels needless_bool
+    negative_remainder negative_to_uint nested_iterations no_early_exit no_effect normal_length
+    normalize_zero octal_literal octave_budget old_version out_of_range_seen output_not_written
+    overwritten_parameter period_jump pow_in_loop pow_negative_base precision_missing_for_sampler
+    redundant_constructor redundant_normalize repeated_call rounded_away same_operands
+    self_assignment shadow_steps shadowed_name shadows_builtin shared_counter shift_precedence
+    shift_range short_steps sin_hash single_turn_loop six_sample_normal smoothstep_edges
+    sqrt_negative static_picture step_budget steps_exhausted swapped_arguments switch_fallthrough
+    switch_return texel_out_of_range texture_seam texture_units time_precision truncated_cell
+    tunable_range unbounded_loop undefined_constant undefined_seen uniform_without_effect
+    uninitialized_read uninitialized_seen unknown_uniform unreachable_case unreachable_height
+    unsigned_underflow unused_allow unused_function unused_macro unused_parameter unused_uniform
+    unused_variable useless_clamp vec2_resolution vector_times_matrix washed_out webgl1_context
+    zero_division
+}

@@ -152,11 +152,14 @@ fn rules_new_creates_a_sorted_rule_and_page() {
     assert!(read("even_odds.rs").contains("rule! { even_odds, Numeric, "));
     assert!(Page::new(&read("even_odds.md")).name == "even-odds");
     let list = read("lib.rs");
-    for (before, after) in [("    &", "::RULE,"), ("mod ", ";")] {
-        let names = list
-            .lines()
-            .filter_map(|l| l.strip_prefix(before)?.strip_suffix(after));
-        let names: Vec<&str> = names.collect();
+    let words = list.split_once("\nrules! {").unwrap().1.split('}').next();
+    let modules = list
+        .lines()
+        .filter_map(|l| l.strip_prefix("mod ")?.strip_suffix(';'));
+    for names in [
+        words.unwrap().split_whitespace().collect(),
+        modules.collect::<Vec<&str>>(),
+    ] {
         assert!(
             names.is_sorted() && names.contains(&"even_odds"),
             "{names:?}"
