@@ -47,10 +47,7 @@ pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
     let finite = || values.iter().copied().filter(|n| n.is_finite());
     let (least, most) = (finite().fold(0.0, f64::min), finite().fold(0.0, f64::max));
     let mut image = Bitmap::filled(size, [0; 3]);
-    let places = (0..size[1])
-        .rev()
-        .flat_map(|y| (0..size[0]).map(move |x| (x, y)));
-    for ((x, y), value) in places.zip(values) {
+    for ((x, y), value) in places(size).zip(values) {
         let share = match most > least {
             true => (value - least) / (most - least),
             false => 0.0,
@@ -62,6 +59,13 @@ pub fn map(size: [u32; 2], values: &[f64], title: &str) -> Bitmap {
         image.set(x, y, color);
     }
     with_legend(image, title, [short(least), short(most)], color)
+}
+
+/// The pixels of an image, bottom row first.
+fn places([width, height]: [u32; 2]) -> impl Iterator<Item = (u32, u32)> {
+    (0..height)
+        .rev()
+        .flat_map(move |y| (0..width).map(move |x| (x, y)))
 }
 
 /// Colours of slopes from 0 to 1, which steps by the distance allow for, and above.
@@ -76,10 +80,7 @@ const ROUNDED: f64 = 0.01;
 pub fn slopes(size: [u32; 2], values: &[f64]) -> Bitmap {
     let most = values.iter().copied().fold(0.0, f64::max);
     let mut image = Bitmap::filled(size, [0; 3]);
-    let places = (0..size[1])
-        .rev()
-        .flat_map(|y| (0..size[0]).map(move |x| (x, y)));
-    for ((x, y), value) in places.zip(values) {
+    for ((x, y), value) in places(size).zip(values) {
         image.set(x, y, slope_color(*value / STEEPEST));
     }
     let title = format!("SLOPE, RED > 1, MAX {}", short(most));

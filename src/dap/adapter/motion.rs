@@ -22,6 +22,18 @@ struct MotionGoal {
     cause: Option<StopCause>,
 }
 
+impl MotionGoal {
+    /// A moment without a breakpoint.
+    fn at(moment: u32, reason: &'static str, cause: Option<StopCause>) -> MotionGoal {
+        MotionGoal {
+            moment,
+            reason,
+            breakpoints: Vec::new(),
+            cause,
+        }
+    }
+}
+
 impl DebugSession {
     /// Chooses the pixel that a request is about.
     fn focus_on(&mut self, asked: &DebugArguments) -> Result<(), String> {
@@ -71,12 +83,7 @@ impl DebugSession {
         let moment = moment.map_err(|stop| stop.to_string())?;
         drop(draw);
         let is_forwards = !matches!(kind, StepKind::Back | StepKind::BackIn | StepKind::BackOut);
-        let goal = moment.map(|moment| MotionGoal {
-            moment,
-            reason: "step",
-            breakpoints: Vec::new(),
-            cause: None,
-        });
+        let goal = moment.map(|moment| MotionGoal::at(moment, "step", None));
         // A breakpoint or a chosen fault inside a call ends the step over it.
         let is_next = goal.as_ref().is_some_and(|goal| goal.moment <= from + 1);
         let goal = match is_forwards && !is_next {
@@ -142,18 +149,14 @@ impl DebugSession {
                     let is_new = before > from || !is_shown;
                     let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
                     goal = match fault.filter(|_| is_new && pause.is_some()) {
-                        Some(fault) => Some(MotionGoal {
-                            moment: before,
-                            reason: "exception",
-                            breakpoints: Vec::new(),
-                            cause: Some(StopCause::Fault(fault)),
-                        }),
-                        None if is_written && pause.is_some() => Some(MotionGoal {
-                            moment: now,
-                            reason: "data breakpoint",
-                            breakpoints: Vec::new(),
-                            cause: None,
-                        }),
+                        Some(fault) => Some(MotionGoal::at(
+                            before,
+                            "exception",
+                            Some(StopCause::Fault(fault)),
+                        )),
+                        None if is_written && pause.is_some() => {
+                            Some(MotionGoal::at(now, "data breakpoint", None))
+                        }
                         None => None,
                     };
                     goal.is_some() || first.is_some_and(|first| now >= first)
@@ -190,18 +193,14 @@ impl DebugSession {
                 let fault = chosen_fault(debuggee, filters, replay);
                 let is_written = replay.writes().any(|(v, _)| watched.contains(&v));
                 match fault {
-                    Some(fault) if now > 1 && now - 1 < before => Some(MotionGoal {
-                        moment: now - 1,
-                        reason: "exception",
-                        breakpoints: Vec::new(),
-                        cause: Some(StopCause::Fault(fault)),
-                    }),
-                    _ if is_written && now < before => Some(MotionGoal {
-                        moment: now,
-                        reason: "data breakpoint",
-                        breakpoints: Vec::new(),
-                        cause: None,
-                    }),
+                    Some(fault) if now > 1 && now - 1 < before => Some(MotionGoal::at(
+                        now - 1,
+                        "exception",
+                        Some(StopCause::Fault(fault)),
+                    )),
+                    _ if is_written && now < before => {
+                        Some(MotionGoal::at(now, "data breakpoint", None))
+                    }
                     _ => None,
                 }
             });
@@ -238,14 +237,9 @@ impl DebugSession {
         self.uninitialized = Some((pixel, moment));
         let moment = moment.filter(|moment| first <= *moment && *moment <= last);
         Ok(match moment {
-            Some(moment) if goal.as_ref().is_none_or(|goal| moment < goal.moment) => {
-                Some(MotionGoal {
-                    moment,
-                    reason: "exception",
-                    breakpoints: Vec::new(),
-                    cause: Some(StopCause::Uninitialized),
-                })
-            }
+            Some(moment) if goal.as_ref().is_none_or(|goal| moment < goal.moment) => Some(
+                MotionGoal::at(moment, "exception", Some(StopCause::Uninitialized)),
+            ),
             _ => goal,
         })
     }
@@ -371,12 +365,7 @@ impl DebugSession {
                     events.push(("terminated", Value::Null));
                     return Ok(Reply { body, events });
                 }
-                MotionGoal {
-                    moment,
-                    reason: if is_forwards { "step" } else { "entry" },
-                    breakpoints: Vec::new(),
-                    cause: None,
-                }
+                MotionGoal::at(moment, if is_forwards { "step" } else { "entry" }, None)
             }
         };
         self.moment = goal.moment;

@@ -113,7 +113,7 @@ impl FaultyShader<'_> {
                 .mark("expected `)` here")
                 .label(call.open, "unclosed `(`");
             let fix = Fix::suggestion("add `)`", vec![Edit::insert(at, ")")]);
-            all.push(candidate(found, fix));
+            all.push(RepairCandidate::new(found, fix));
         }
     }
 
@@ -128,7 +128,7 @@ impl FaultyShader<'_> {
         if let Some(first) = expected.checked_sub(1).and_then(|i| call.commas.get(i)) {
             let surplus = Span::new(first.start, close.start);
             let fix = Fix::suggestion("remove the extra arguments", vec![Edit::delete(surplus)]);
-            all.push(candidate(d.clone(), fix));
+            all.push(RepairCandidate::new(d.clone(), fix));
             return;
         }
         let is_empty = call.open.end == close.start;
@@ -140,16 +140,7 @@ impl FaultyShader<'_> {
             }
             let title = format!("add an argument, such as `{value}`");
             let fix = Fix::suggestion(title, vec![Edit::insert(close.start, more)]);
-            all.push(candidate(d.clone(), fix));
+            all.push(RepairCandidate::new(d.clone(), fix));
         }
-    }
-}
-
-fn candidate(d: Diagnostic, fix: Fix) -> RepairCandidate {
-    RepairCandidate {
-        edits: fix.edits.clone(),
-        diagnostic: d.fix(fix),
-        of: None,
-        must_reduce: false,
     }
 }

@@ -18,10 +18,18 @@ impl RepairCandidate {
     /// A candidate that is reported as the error with another fix.
     pub fn of_error(d: &Diagnostic, fix: Fix) -> RepairCandidate {
         RepairCandidate {
-            edits: fix.edits.clone(),
-            diagnostic: d.clone().fix(fix),
-            of: None,
             must_reduce: true,
+            ..RepairCandidate::new(d.clone(), fix)
+        }
+    }
+
+    /// A finding whose fix is tried, and may leave as many errors as there were.
+    pub fn new(diagnostic: Diagnostic, fix: Fix) -> RepairCandidate {
+        RepairCandidate {
+            edits: fix.edits.clone(),
+            diagnostic: diagnostic.fix(fix),
+            of: None,
+            must_reduce: false,
         }
     }
 

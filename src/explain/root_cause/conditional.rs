@@ -123,16 +123,11 @@ impl FaultyShader<'_> {
                     let edit = Edit::insert(line.start, format!("{blanks}#endif\n"));
                     let fix =
                         Fix::suggestion("add `#endif` where the group seems to end", vec![edit]);
-                    let mut d = found.clone().fix(fix);
+                    let mut d = found.clone();
                     d.notes.clear();
                     d.label = "unclosed conditional group".to_string();
-                    let end = Span::at(line.start);
-                    Some(RepairCandidate {
-                        edits: d.fix.as_ref()?.edits.clone(),
-                        diagnostic: d.label(end, "expected `#endif` here"),
-                        of: None,
-                        must_reduce: false,
-                    })
+                    let d = d.label(Span::at(line.start), "expected `#endif` here");
+                    Some(RepairCandidate::new(d, fix))
                 }),
         );
         all
@@ -220,15 +215,8 @@ impl FaultyShader<'_> {
                 "add `#if 1` where the group seems to start",
                 vec![Edit::insert(at, "#if 1\n")],
             );
-            RepairCandidate {
-                edits: fix.edits.clone(),
-                diagnostic: found
-                    .clone()
-                    .label(Span::at(at), "`#if` may be missing here")
-                    .fix(fix),
-                of: None,
-                must_reduce: false,
-            }
+            let found = found.clone();
+            RepairCandidate::new(found.label(Span::at(at), "`#if` may be missing here"), fix)
         };
         places.map(candidate).collect()
     }

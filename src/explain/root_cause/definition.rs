@@ -28,10 +28,8 @@ impl<'a> Definition<'a> {
     /// A candidate repair with its diagnostic.
     pub fn candidate(&self, d: Diagnostic, fix: Fix) -> RepairCandidate {
         RepairCandidate {
-            edits: fix.edits.clone(),
-            diagnostic: d.fix(fix),
             of: Some(self.of.name_span),
-            must_reduce: false,
+            ..RepairCandidate::new(d, fix)
         }
     }
 

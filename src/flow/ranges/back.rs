@@ -2,7 +2,7 @@
 //! false.
 
 use super::interval::{Interval, above, below};
-use super::node::Node;
+use super::node::{GetRange, Node};
 use super::{Query, flipped, negated};
 use crate::reaching_definitions::Refinement;
 use crate::same::is_same;
@@ -41,7 +41,7 @@ impl RequiredRange {
         comparison: OpId,
         truth: bool,
         (is_right, lane): (bool, u32),
-        mut get: impl FnMut(Node) -> Option<Interval>,
+        mut get: impl GetRange,
     ) -> RequiredRange {
         let (op, left, right) = match query.module.op(comparison).kind {
             OpKind::Binary(op, left, right) => (Some(op), left, right),
@@ -84,11 +84,7 @@ impl RequiredRange {
     }
 
     /// The values that a refinement permits for the load that it constrains.
-    pub(super) fn at_end(
-        query: &Query,
-        by: Refinement,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> RequiredRange {
+    pub(super) fn at_end(query: &Query, by: Refinement, get: &mut impl GetRange) -> RequiredRange {
         let side = (by.is_right, by.lane as u32);
         let mut required = RequiredRange::of(query, by.comparison, by.truth, side, &mut *get);
         for hop in by.way(query.module, query.defs) {
@@ -106,7 +102,7 @@ impl RequiredRange {
         op: OpId,
         lane: u32,
         choice: u8,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
+        get: &mut impl GetRange,
     ) -> RequiredRange {
         let module = query.module;
         match module.op(op).kind {

@@ -3,7 +3,7 @@
 use super::back::RequiredRange;
 use super::builtin::of_host;
 use super::interval::Interval;
-use super::node::{Node, NodeSubject};
+use super::node::{GetRange, Node, NodeSubject};
 use super::{Query, fitting, number};
 use crate::reaching_definitions::condition::{each_comparison, each_load};
 use crate::reaching_definitions::{Def, DefId, Refinement, Slot};
@@ -53,11 +53,7 @@ impl Query<'_> {
 
     /// The range of a node, given the ranges of its operands; `None` if it never has a value. The
     /// set of operands requested does not depend on their ranges.
-    pub(super) fn compute(
-        &self,
-        node: Node,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Option<Interval> {
+    pub(super) fn compute(&self, node: Node, get: &mut impl GetRange) -> Option<Interval> {
         match node.subject(self.defs) {
             NodeSubject::Lane(op, lane) => {
                 let mut range = self.operation(op, lane, get);
@@ -70,20 +66,13 @@ impl Query<'_> {
         }
     }
 
-    fn definition(
-        &self,
-        id: DefId,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Option<Interval> {
+    fn definition(&self, id: DefId, get: &mut impl GetRange) -> Option<Interval> {
         let defs = self.defs;
         let of = |def| Node::def(defs, def);
         let source = 1u64 << (id.0 % 64);
         match defs.get(id) {
             Def::Entry(slot) => self.entry(slot, source, get),
-            Def::Stored { value, lane } => match Node::lane(defs, value, lane) {
-                Some(node) => get(node),
-                None => Some(Interval::ANY),
-            },
+            Def::Stored { value, lane } => self.of_lane(value, lane, get),
             Def::Measured(parts) => measure(defs.list(parts).iter().map(|part| get(of(*part)))),
             Def::Merge {
                 sides, is_choice, ..
@@ -116,12 +105,7 @@ impl Query<'_> {
     }
 
     /// The range of a definition constrained by a comparison.
-    fn refined(
-        &self,
-        before: DefId,
-        by: Refinement,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Option<Interval> {
+    fn refined(&self, before: DefId, by: Refinement, get: &mut impl GetRange) -> Option<Interval> {
         let defs = self.defs;
         let known = get(Node::def(defs, before));
         let required = RequiredRange::at_end(self, by, get);
@@ -213,12 +197,7 @@ impl Query<'_> {
     }
 
     /// The range of a slot on entry to a function.
-    fn entry(
-        &self,
-        slot: Slot,
-        source: u64,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Option<Interval> {
+    fn entry(&self, slot: Slot, source: u64, get: &mut impl GetRange) -> Option<Interval> {
         let defs = self.defs;
         let (id, _) = defs.variable_at(slot);
         let unknown = |ty: Type| {

@@ -2,7 +2,7 @@
 
 use super::Query;
 use super::interval::Interval;
-use super::node::Node;
+use super::node::{GetRange, Node};
 use shaderlint_ir::{OpId, column_lanes};
 
 /// The terms of one component of a product: the first index and the stride of the factors on each
@@ -21,7 +21,7 @@ impl Query<'_> {
         op: OpId,
         (a, b): (OpId, OpId),
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
+        get: &mut impl GetRange,
     ) -> Option<Interval> {
         // A matrix may rotate or mirror, so each component may take either sign.
         let unknown = Interval {

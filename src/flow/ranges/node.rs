@@ -1,7 +1,13 @@
 //! Nodes of the range graph: components of operations and definitions, numbered together.
 
+use super::interval::Interval;
 use crate::reaching_definitions::{DefId, ReachingDefinitions};
 use shaderlint_ir::OpId;
+
+/// Gives the range of a node; `None` if it never has a value.
+pub(super) trait GetRange: FnMut(Node) -> Option<Interval> {}
+
+impl<F: FnMut(Node) -> Option<Interval>> GetRange for F {}
 
 /// A component of an operation, or a definition.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

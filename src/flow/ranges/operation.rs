@@ -3,7 +3,7 @@
 use super::builtin::of_function;
 use super::entry::{join, measure};
 use super::interval::{Interval, Tightness};
-use super::node::{Node, NodeSubject};
+use super::node::{GetRange, Node, NodeSubject};
 use super::{Query, number};
 use crate::reaching_definitions::Def;
 use crate::same::is_same;
@@ -21,7 +21,7 @@ impl Query<'_> {
         &self,
         op: OpId,
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
+        get: &mut impl GetRange,
     ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let found = module.op(op);
@@ -29,10 +29,7 @@ impl Query<'_> {
             return self.length(op, vector, rows, get);
         }
         let source = 1u64 << (op.0 % 64);
-        let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
-            Some(node) => get(node),
-            None => Some(Interval::ANY),
-        };
+        let mut of = |op: OpId, lane: u32| self.of_lane(op, lane, get);
         match found.kind {
             OpKind::Const(_) => Some(self.number(op, lane)),
             // The elements of an array that are written one after another share their range.
@@ -121,21 +118,20 @@ impl Query<'_> {
         value.map_or(Interval::ANY, |v| Interval::constant(number(*v)))
     }
 
-    /// The length of a vector or of a matrix column that starts at component `first`: from the
-    /// lengths of the operands if possible, else from the components.
-    fn length(
-        &self,
-        op: OpId,
-        first: u32,
-        rows: u32,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
-    ) -> Option<Interval> {
-        let (module, defs) = (self.module, self.defs);
-        let at = first + rows;
-        let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
+    /// The range of a component of an operand.
+    pub(super) fn of_lane(&self, op: OpId, lane: u32, get: &mut impl GetRange) -> Option<Interval> {
+        match Node::lane(self.defs, op, lane) {
             Some(node) => get(node),
             None => Some(Interval::ANY),
-        };
+        }
+    }
+
+    /// The length of a vector or of a matrix column that starts at component `first`: from the
+    /// lengths of the operands if possible, else from the components.
+    fn length(&self, op: OpId, first: u32, rows: u32, get: &mut impl GetRange) -> Option<Interval> {
+        let (module, defs) = (self.module, self.defs);
+        let at = first + rows;
+        let mut of = |op: OpId, lane: u32| self.of_lane(op, lane, get);
         let scale = |op: OpId| match module.op(op).kind {
             OpKind::Splat(scalar) => Some(scalar),
             _ => None,
@@ -304,14 +300,11 @@ impl Query<'_> {
         function: BuiltinId,
         args: &[OpId],
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
+        get: &mut impl GetRange,
     ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let transfer = function.transfer();
-        let mut of = |op: OpId, lane: u32| match Node::lane(defs, op, lane) {
-            Some(node) => get(node),
-            None => Some(Interval::ANY),
-        };
+        let mut of = |op: OpId, lane: u32| self.of_lane(op, lane, get);
         let own = |op: OpId| module.operand_lane(op, lane);
         let all = |op: OpId| 0..module.ty(op).components().min(4);
         let every = args.iter().filter(|_| mixes(transfer));
@@ -387,7 +380,7 @@ impl Query<'_> {
         function: FunctionRef,
         args: List,
         lane: u32,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
+        get: &mut impl GetRange,
     ) -> Option<Interval> {
         let defs = self.defs;
         let returned = defs.returns_of(function).iter();
@@ -430,7 +423,7 @@ impl Query<'_> {
         number: u32,
         lane: u32,
         source: u64,
-        get: &mut impl FnMut(Node) -> Option<Interval>,
+        get: &mut impl GetRange,
     ) -> Option<Interval> {
         let (module, defs) = (self.module, self.defs);
         let OpKind::Call(function, _) = module.op(call).kind else {

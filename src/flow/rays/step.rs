@@ -92,15 +92,19 @@ fn carried(slice: &LoopSlice) -> Vec<CarriedVariable> {
     all
 }
 
-/// `t += k * d`, with `d` evaluated at a point that depends on `t`.
-fn parameter(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
+/// The only float of a variable in a loop, its initial value and what is added to it.
+fn single(slice: &LoopSlice, carried: &CarriedVariable) -> Option<(DefId, DefId, StepTerms)> {
     let &[(head, _)] = carried.heads.as_slice() else {
         return None;
     };
-    if carried.ty.scalar_kind() != Some(Scalar::Float) {
-        return None;
-    }
-    let (init, added) = added(slice, head)?;
+    let is_float = carried.ty.scalar_kind() == Some(Scalar::Float);
+    let (init, added) = added(slice, head).filter(|_| is_float)?;
+    Some((head, init, added))
+}
+
+/// `t += k * d`, with `d` evaluated at a point that depends on `t`.
+fn parameter(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
+    let (head, init, added) = single(slice, carried)?;
     let heads = vec![head];
     let distance: Vec<ValueLane> = added
         .terms
@@ -230,13 +234,7 @@ fn cell(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
 
 /// `t += step`, with a function evaluated at `origin + direction * t`.
 fn fixed(slice: &LoopSlice, carried: &CarriedVariable) -> Option<Stepped> {
-    let &[(head, _)] = carried.heads.as_slice() else {
-        return None;
-    };
-    if carried.ty.scalar_kind() != Some(Scalar::Float) {
-        return None;
-    }
-    let (init, added) = added(slice, head)?;
+    let (head, init, added) = single(slice, carried)?;
     let (module, heads) = (slice.query.module, vec![head]);
     let call = slice
         .looped

@@ -82,12 +82,8 @@ fn candidate(
     title: impl Into<String>,
     edits: Vec<Edit>,
 ) -> RepairCandidate {
-    RepairCandidate {
-        edits: edits.clone(),
-        diagnostic: Diagnostic::error(kind, span, message).fix(Fix::suggestion(title, edits)),
-        of: None,
-        must_reduce: true,
-    }
+    let found = Diagnostic::error(kind, span, message);
+    RepairCandidate::of_error(&found, Fix::suggestion(title, edits))
 }
 
 /// A candidate for a syntax error.

@@ -150,45 +150,34 @@ fn fold_float(op: BinaryOp, l: f32, r: f32) -> Value {
     })
 }
 
-fn fold_uint(op: BinaryOp, l: u32, r: u32) -> Value {
-    use BinaryOp as B;
-    Value::Uint(match op {
-        B::Mul => l.wrapping_mul(r),
-        B::Div => l.checked_div(r).unwrap_or(u32::MAX),
-        B::Rem => l.checked_rem(r).unwrap_or(u32::MAX),
-        B::Add => l.wrapping_add(r),
-        B::Sub => l.wrapping_sub(r),
-        B::BitAnd => l & r,
-        B::BitOr => l | r,
-        B::BitXor => l ^ r,
-        B::Less => return Value::Bool(l < r),
-        B::Greater => return Value::Bool(l > r),
-        B::LessEqual => return Value::Bool(l <= r),
-        B::GreaterEqual => return Value::Bool(l >= r),
-        _ => l,
-    })
+/// Folds operations of integers. Undefined quotients are the largest number, and undefined remainders 0.
+macro_rules! fold_integers {
+    ($name:ident, $integer:ident, $value:ident) => {
+        fn $name(op: BinaryOp, l: $integer, r: $integer) -> Value {
+            use BinaryOp as B;
+            Value::$value(match op {
+                B::Mul => l.wrapping_mul(r),
+                B::Div => l.checked_div(r).unwrap_or($integer::MAX),
+                B::Rem if r == 0 => $integer::MAX,
+                B::Rem if i64::from(l) < 0 || i64::from(r) < 0 => 0,
+                B::Rem => l.wrapping_rem(r),
+                B::Add => l.wrapping_add(r),
+                B::Sub => l.wrapping_sub(r),
+                B::BitAnd => l & r,
+                B::BitOr => l | r,
+                B::BitXor => l ^ r,
+                B::Less => return Value::Bool(l < r),
+                B::Greater => return Value::Bool(l > r),
+                B::LessEqual => return Value::Bool(l <= r),
+                B::GreaterEqual => return Value::Bool(l >= r),
+                _ => l,
+            })
+        }
+    };
 }
 
-fn fold_int(op: BinaryOp, l: i32, r: i32) -> Value {
-    use BinaryOp as B;
-    Value::Int(match op {
-        B::Mul => l.wrapping_mul(r),
-        B::Div => l.checked_div(r).unwrap_or(i32::MAX),
-        B::Rem if r == 0 => i32::MAX,
-        B::Rem if l < 0 || r < 0 => 0,
-        B::Rem => l.wrapping_rem(r),
-        B::Add => l.wrapping_add(r),
-        B::Sub => l.wrapping_sub(r),
-        B::BitAnd => l & r,
-        B::BitOr => l | r,
-        B::BitXor => l ^ r,
-        B::Less => return Value::Bool(l < r),
-        B::Greater => return Value::Bool(l > r),
-        B::LessEqual => return Value::Bool(l <= r),
-        B::GreaterEqual => return Value::Bool(l >= r),
-        _ => l,
-    })
-}
+fold_integers!(fold_uint, u32, Uint);
+fold_integers!(fold_int, i32, Int);
 
 fn fold_shift(op: BinaryOp, l: Value, r: Value) -> Value {
     let by = match r {
