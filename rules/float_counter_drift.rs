@@ -39,10 +39,7 @@ fn check(cx: &mut Context, id: StmtId) {
         return;
     };
     let head = program.tree.stmt(init).extent.first;
-    let head = Extent {
-        first: head,
-        last: program.tree.stmt(body).extent.first.saturating_sub(2),
-    };
+    let head = Extent::new(head, program.tree.stmt(body).extent.first.saturating_sub(2));
     let step = plain(counted.step);
     cx.report(
         head,

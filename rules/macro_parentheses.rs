@@ -87,10 +87,7 @@ fn arguments(program: &Program, call: Expanded) -> impl Iterator<Item = Extent> 
         let first = (at..=call.extent.last).find(is_argument)?;
         let end = (first..=call.extent.last).find(|t| !is_argument(t));
         at = end.unwrap_or(call.extent.last + 1);
-        Some(Extent {
-            first,
-            last: at - 1,
-        })
+        Some(Extent::new(first, at - 1))
     })
 }
 

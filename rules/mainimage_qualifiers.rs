@@ -40,10 +40,7 @@ fn check(cx: &mut Context, id: FunctionRef) {
     let has_prototype = function.declaration != function.definition.unwrap_or(function.declaration);
     let fix =
         (is_plain && !has_prototype).then(|| Fix::suggestion("declare it as `out`", vec![edit]));
-    let extent = Extent {
-        first: param.extent.first,
-        last: param.extent.last,
-    };
+    let extent = Extent::new(param.extent.first, param.extent.last);
     cx.report(
         extent,
         "`mainImage` cannot return its colour: the parameter is not `out`",

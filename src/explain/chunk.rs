@@ -11,8 +11,8 @@ use shaderlint_diagnostic::{
 };
 use shaderlint_semantic::{Completeness, Function, Program};
 use shaderlint_syntax::{
-    DIRECTIVES, Expansion, Lexer, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify,
-    set,
+    DIRECTIVES, Expansion, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify, set,
+    written_tokens,
 };
 use shaderlint_text::{Role, Span};
 use std::collections::BTreeSet;
@@ -440,15 +440,10 @@ impl<'p> ChunkReader<'p> {
     /// correction may have removed from the tokens.
     fn is_foreign(&self, span: Span) -> bool {
         let text = self.program.sources.text(span);
-        let mut lexer = Lexer::new(text, 0);
-        loop {
-            let token = lexer.next_token();
-            let range = token.span.start as usize..token.span.end as usize;
-            match token.kind {
-                RawKind::End => return false,
+        for (kind, _, word) in written_tokens(text) {
+            match kind {
                 RawKind::Other | RawKind::ForeignWord => return true,
                 RawKind::Word => {
-                    let word = text.get(range).unwrap_or("");
                     let name = self.program.names.get(word);
                     let is_known = name.is_some_and(|n| self.known.contains(&n));
                     let is_plain = classify(word, self.program.version) == WordClass::Plain;
@@ -459,6 +454,7 @@ impl<'p> ChunkReader<'p> {
                 _ => {}
             }
         }
+        false
     }
 
     /// Whether the statement around a token calls an empty macro, which a host may define.
@@ -656,21 +652,17 @@ fn is_statement_word(word: &str) -> bool {
 
 /// Pairs of adjacent words in a text.
 fn word_pairs(text: &str) -> Vec<(&str, &str)> {
-    let mut lexer = Lexer::new(text, 0);
     let mut before: Option<&str> = None;
     let mut pairs = Vec::new();
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        match token.kind {
-            RawKind::End => return pairs,
+    for (kind, _, word) in written_tokens(text) {
+        match kind {
             RawKind::Whitespace | RawKind::BlockComment | RawKind::LineComment => {}
             RawKind::Word => {
-                let word = text.get(range).unwrap_or("");
                 pairs.extend(before.map(|b| (b, word)));
                 before = Some(word);
             }
             _ => before = None,
         }
     }
+    pairs
 }

@@ -3,7 +3,7 @@
 use super::builtins::Stage;
 use super::dialect::{Channels, Dialect, Pass};
 use super::types::Sampler;
-use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_syntax::{RawKind, written_tokens};
 
 /// A host that runs shaders.
 #[derive(Debug)]
@@ -285,17 +285,12 @@ fn uniforms_in(code: &str) -> Vec<NamedUniform> {
     if !code.contains("uniform") {
         return found;
     }
-    let mut lexer = Lexer::new(code, 0);
     let mut conditions = 0_usize;
     let mut is_directive = false;
     // The words of the current declaration after `uniform`.
     let mut words: Option<Vec<&str>> = None;
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        let word = code.get(range).unwrap_or("");
-        match token.kind {
-            RawKind::End => return found,
+    for (kind, _, word) in written_tokens(code) {
+        match kind {
             RawKind::Hash => is_directive = true,
             RawKind::Whitespace | RawKind::Newline => {}
             RawKind::Word if std::mem::take(&mut is_directive) => match word {
@@ -316,6 +311,7 @@ fn uniforms_in(code: &str) -> Vec<NamedUniform> {
             _ => words.iter_mut().for_each(|words| words.push(word)),
         }
     }
+    found
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Splits shader snippets from documents: statements outside functions, names declared elsewhere.
 //! Such a snippet can still be checked in part.
 
-use shaderlint_syntax::{Lexer, RawKind, TokenKind};
+use shaderlint_syntax::{RawKind, TokenKind, written_tokens};
 use std::ops::Range;
 
 /// An item of a snippet, as a byte range.
@@ -63,12 +63,9 @@ struct Splitter<'a> {
 
 /// The tokens except whitespace and comments; line breaks are kept.
 fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
-    let mut lexer = Lexer::new(text, 0);
     let mut found = Vec::new();
-    loop {
-        let token = lexer.next_token();
-        let kind = match token.kind {
-            RawKind::End => return found,
+    for (raw, range, _) in written_tokens(text) {
+        let kind = match raw {
             RawKind::Whitespace
             | RawKind::LineComment
             | RawKind::BlockComment
@@ -83,8 +80,9 @@ fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
             RawKind::Operator(TokenKind::Semicolon) => Kind::Semicolon,
             _ => Kind::Other,
         };
-        found.push((kind, token.span.start as usize..token.span.end as usize));
+        found.push((kind, range));
     }
+    found
 }
 
 /// Keywords that start a declaration that is or may be at global scope.

@@ -54,10 +54,12 @@ pub struct Extent {
 impl Extent {
     /// The extent of a single token.
     pub const fn token(token: TokenId) -> Extent {
-        Extent {
-            first: token,
-            last: token,
-        }
+        Extent::new(token, token)
+    }
+
+    /// From one token to another, inclusive.
+    pub const fn new(first: TokenId, last: TokenId) -> Extent {
+        Extent { first, last }
     }
 
     /// Whether `other` is inside this extent.

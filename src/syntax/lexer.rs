@@ -7,6 +7,7 @@
 use super::token::{RawKind, RawToken, TokenKind};
 use memchr::{memchr, memchr3};
 use shaderlint_text::Span;
+use std::ops::Range;
 
 /// Lexer over one file; returns one raw token per call.
 pub struct Lexer<'a> {
@@ -19,14 +20,22 @@ pub struct Lexer<'a> {
 
 /// All raw tokens of `text`, whose first byte has the address `base`, without the final `End`.
 pub fn tokenize(text: &str, base: u32) -> Vec<RawToken> {
-    let mut lexer = Lexer::new(text, base);
-    let mut tokens = Vec::new();
-    loop {
-        let token = lexer.next_token();
-        if token.kind == RawKind::End {
-            return tokens;
-        }
-        tokens.push(token);
+    Lexer::new(text, base).collect()
+}
+
+/// The tokens of a text with their ranges and what is written there, without the final `End`.
+pub fn written_tokens(text: &str) -> impl Iterator<Item = (RawKind, Range<usize>, &str)> {
+    Lexer::new(text, 0).map(|token| {
+        let range = token.span.start as usize..token.span.end as usize;
+        (token.kind, range.clone(), text.get(range).unwrap_or(""))
+    })
+}
+
+impl Iterator for Lexer<'_> {
+    type Item = RawToken;
+
+    fn next(&mut self) -> Option<RawToken> {
+        Some(self.next_token()).filter(|token| token.kind != RawKind::End)
     }
 }
 

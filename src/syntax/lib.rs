@@ -29,7 +29,7 @@ pub use context::{
 };
 pub use foreign::{Foreign, Meaning, foreign, type_in_another_case};
 pub use language::{ES_100, ES_300, Feature, LanguageProfile};
-pub use lexer::{Lexer, tokenize, unsplice};
+pub use lexer::{Lexer, tokenize, unsplice, written_tokens};
 pub use lines::{RawItem, is_blank, raw_items};
 pub use names::{Name, Names, TypeWord, Version, WordClass, classify};
 pub use parser::{

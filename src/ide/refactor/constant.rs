@@ -9,10 +9,7 @@ use shaderlint_text::Edit;
 
 pub(super) fn propose(place: &RefactorPlace) -> Vec<ProposedRefactoring> {
     let found = place.expr().map(|expr| {
-        let everywhere = Extent {
-            first: 0,
-            last: place.program.tokens.tokens.len() as u32,
-        };
+        let everywhere = Extent::new(0, place.program.tokens.tokens.len() as u32);
         let title = "Extract to constant".to_string();
         let one = proposal(place, expr, &[], title, "");
         let others = later(place, place.same_exprs(expr, everywhere), expr);

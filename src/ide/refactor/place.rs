@@ -126,10 +126,7 @@ impl<'d> RefactorPlace<'d> {
                     let first = self.program.tree.stmt(stmt).extent.first;
                     return Some(InsertionPoint {
                         stmt,
-                        scope: Extent {
-                            first,
-                            last: found.extent.last,
-                        },
+                        scope: Extent::new(first, found.extent.last),
                         needs_braces: false,
                     });
                 }

@@ -1,7 +1,7 @@
 //! The code of a user with other names for some identifiers and without some declarations, and the
 //! positions in it.
 
-use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_syntax::{RawKind, written_tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -58,17 +58,8 @@ impl RenamedText {
 
 /// The words of a text with their offsets, without those in comments.
 pub(super) fn words(text: &str) -> Vec<(usize, &str)> {
-    let mut lexer = Lexer::new(text, 0);
-    let mut found = Vec::new();
-    loop {
-        let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        match token.kind {
-            RawKind::End => return found,
-            RawKind::Word => found.push((start, text.get(start..end).unwrap_or(""))),
-            _ => {}
-        }
-    }
+    let words = written_tokens(text).filter(|(kind, ..)| *kind == RawKind::Word);
+    words.map(|(_, range, word)| (range.start, word)).collect()
 }
 
 /// A name that is not among the words, based on another one.

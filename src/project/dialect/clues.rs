@@ -6,7 +6,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::Lack;
 use shaderlint_host::{Preset, is_provided};
 use shaderlint_semantic::{Guess, Program, Storage, guess};
-use shaderlint_syntax::{Lexer, RawKind};
+use shaderlint_syntax::{RawKind, written_tokens};
 use shaderlint_text::Role;
 
 /// A variable that a text declares and the host sets.
@@ -284,22 +284,17 @@ pub(super) fn version_of(text: &str) -> VersionAsked {
 }
 
 fn words(text: &str) -> TextWords<'_> {
-    let mut lexer = Lexer::new(text, 0);
     let mut found = TextWords::default();
     let mut after_hash = false;
     // The conditional directive of the current line, and the previous word.
     let (mut condition, mut before) = ("", "");
-    loop {
-        let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        let word = text.get(start..end).unwrap_or("");
-        match token.kind {
-            RawKind::End => return found,
+    for (kind, range, word) in written_tokens(text) {
+        match kind {
             RawKind::Whitespace => continue,
             RawKind::Newline => condition = "",
             RawKind::Word => {
                 if after_hash && word == "version" && found.asked == VersionAsked::Nothing {
-                    let line = text.get(end..).and_then(|rest| rest.lines().next());
+                    let line = text.get(range.end..).and_then(|rest| rest.lines().next());
                     found.asked = VersionAsked::of(line.unwrap_or(""));
                 }
                 let uses = found.words.entry(word).or_default();
@@ -316,6 +311,7 @@ fn words(text: &str) -> TextWords<'_> {
             _ if word == "(" => {}
             _ => before = "",
         }
-        after_hash = token.kind == RawKind::Hash;
+        after_hash = kind == RawKind::Hash;
     }
+    found
 }

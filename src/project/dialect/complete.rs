@@ -7,7 +7,7 @@ use shaderlint_explain::{Checked, analyze};
 use shaderlint_host::{Preset, declared_in, matches_any};
 use shaderlint_semantic::builtins::LEGACY_FUNCTIONS;
 use shaderlint_semantic::{Stage, Unit};
-use shaderlint_syntax::{Lexer, RawKind, Version};
+use shaderlint_syntax::{RawKind, Version, written_tokens};
 use shaderlint_text::{Role, Sources};
 use std::ops::Range;
 use std::sync::Arc;
@@ -283,23 +283,18 @@ pub(super) fn has_images(clues: &Clues) -> bool {
 
 /// Comments out the declarations of uniforms that contain a word.
 fn hide_declarations(text: &str, changes: &mut Vec<TextChange>, is_hidden: impl Fn(&str) -> bool) {
-    let mut lexer = Lexer::new(text, 0);
     // Start of the current declaration, and whether it contains such a word.
     let (mut first, mut is_found): (Option<usize>, bool) = (None, false);
-    loop {
-        let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        let word = text.get(start..end).unwrap_or("");
-        match token.kind {
-            RawKind::End => return,
+    for (kind, range, word) in written_tokens(text) {
+        match kind {
             RawKind::Whitespace | RawKind::Newline => {}
             RawKind::LineComment | RawKind::BlockComment => {}
             _ if word == ";" => {
                 let whole = first.take().filter(|_| is_found);
-                let whole = whole.and_then(|at| Some((at, text.get(at..end)?)));
+                let whole = whole.and_then(|at| Some((at, text.get(at..range.end)?)));
                 if let Some((at, own)) = whole.filter(|(_, own)| !own.contains("*/")) {
                     changes.push(TextChange {
-                        range: at..end,
+                        range: at..range.end,
                         put: format!("/*{own}*/"),
                         is_hidden: true,
                     });
@@ -307,7 +302,9 @@ fn hide_declarations(text: &str, changes: &mut Vec<TextChange>, is_hidden: impl 
                 is_found = false;
             }
             _ if matches!(word, "{" | "}") => (first, is_found) = (None, false),
-            _ if first.is_none() && matches!(word, "layout" | "uniform") => first = Some(start),
+            _ if first.is_none() && matches!(word, "layout" | "uniform") => {
+                first = Some(range.start)
+            }
             _ => is_found |= first.is_some() && is_hidden(word),
         }
     }
@@ -415,23 +412,19 @@ pub(super) fn directives(text: &str, is_searched: impl Fn(&str) -> bool) -> Vec<
     if !may_have_directives(text, &is_searched) {
         return Vec::new();
     }
-    let mut lexer = Lexer::new(text, 0);
     let mut found: Vec<Directive> = Vec::new();
     let mut hash = None;
-    loop {
-        let token = lexer.next_token();
-        let (start, end) = (token.span.start as usize, token.span.end as usize);
-        match token.kind {
-            RawKind::End => return found,
+    for (kind, range, word) in written_tokens(text) {
+        match kind {
             RawKind::Whitespace => {}
-            RawKind::Hash => hash = Some(start),
+            RawKind::Hash => hash = Some(range.start),
             RawKind::Word => {
-                let word = text.get(start..end).unwrap_or("");
                 if let Some(at) = hash.take().filter(|_| is_searched(word)) {
-                    let rest = text.get(end..).and_then(|t| t.lines().next()).unwrap_or("");
+                    let rest = text.get(range.end..).and_then(|t| t.lines().next());
+                    let rest = rest.unwrap_or("");
                     found.push(Directive {
                         start: at,
-                        end: end + rest.len(),
+                        end: range.end + rest.len(),
                         word,
                         rest,
                     });
@@ -440,6 +433,7 @@ pub(super) fn directives(text: &str, is_searched: impl Fn(&str) -> bool) -> Vec<
             _ => hash = None,
         }
     }
+    found
 }
 
 /// A text with its changes applied.
@@ -470,17 +464,12 @@ fn hide_first_lines(text: &str, changes: &mut Vec<TextChange>) {
 /// Converts input blocks, which GLSL ES 3.00 does not have, to inputs of structs: `in VertexData {
 /// vec2 uv; } data;`.
 fn make_struct_inputs(text: &str, changes: &mut Vec<TextChange>) {
-    let mut lexer = Lexer::new(text, 0);
     // State within a block: the position of `in`, the name, and whether its brace is open.
     let mut word: Option<Range<usize>> = None;
     let mut block: Option<(Range<usize>, &str)> = None;
     let mut is_open = false;
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        let own = text.get(range.clone()).unwrap_or("");
-        match token.kind {
-            RawKind::End => return,
+    for (kind, range, own) in written_tokens(text) {
+        match kind {
             RawKind::Whitespace | RawKind::Newline => continue,
             RawKind::LineComment | RawKind::BlockComment => continue,
             RawKind::Word if own == "in" && !is_open => (word, block) = (Some(range), None),

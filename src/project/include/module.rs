@@ -4,7 +4,7 @@
 use super::find::{Absent, FoundFile};
 use crate::access::FileAccess;
 use crate::files::scan::{Form, IncludeDirective};
-use shaderlint_syntax::{Lexer, RawKind, TokenKind};
+use shaderlint_syntax::{RawKind, TokenKind, written_tokens};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
@@ -158,20 +158,15 @@ fn rename(
     out: &mut String,
 ) {
     let part = text.get(part).unwrap_or("");
-    let mut lexer = Lexer::new(part, 0);
     let mut after_dot = false;
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        let word = part.get(range).unwrap_or("");
-        match token.kind {
-            RawKind::End => return,
+    for (kind, _, word) in written_tokens(part) {
+        match kind {
             RawKind::Word if !(after_dot && is_swizzle(word)) => {
                 out.push_str(names.get(word).map_or(word, String::as_str));
             }
             _ => out.push_str(word),
         }
-        after_dot = token.kind == RawKind::Operator(TokenKind::Dot);
+        after_dot = kind == RawKind::Operator(TokenKind::Dot);
     }
 }
 
@@ -194,14 +189,10 @@ const SHARED: [&str; 7] = [
 /// The functions, structs, variables and constants that a text declares at global scope.
 fn top_names(text: &str) -> HashSet<String> {
     let mut reader = ModuleReader::default();
-    let mut lexer = Lexer::new(text, 0);
     let mut at_line_start = true;
     let mut in_directive = false;
-    loop {
-        let token = lexer.next_token();
-        let range = token.span.start as usize..token.span.end as usize;
-        match token.kind {
-            RawKind::End => return reader.found,
+    for (kind, _, word) in written_tokens(text) {
+        match kind {
             RawKind::Newline => {
                 at_line_start = true;
                 in_directive = false;
@@ -214,11 +205,12 @@ fn top_names(text: &str) -> HashSet<String> {
             kind => {
                 at_line_start = false;
                 if !in_directive {
-                    reader.token(kind, text.get(range).unwrap_or(""));
+                    reader.token(kind, word);
                 }
             }
         }
     }
+    reader.found
 }
 
 #[derive(Default)]

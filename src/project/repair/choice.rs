@@ -164,10 +164,7 @@ impl TernaryChoice<'_> {
             return None;
         }
         let last = sizes.last().map_or(name.token, |s| s.extent.last);
-        let head = self.span(Extent {
-            first: name.token,
-            last,
-        })?;
+        let head = self.span(Extent::new(name.token, last))?;
         let end = self.span(value)?.end;
         let name = program.names.text(name.name);
         let text = self.branches(whole, &format!("{name} = "))?;

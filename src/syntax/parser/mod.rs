@@ -325,10 +325,7 @@ impl<'a> Parser<'a> {
     }
 
     fn extent_from(&self, first: TokenId) -> Extent {
-        Extent {
-            first,
-            last: self.last().max(first),
-        }
+        Extent::new(first, self.last().max(first))
     }
 
     fn span(&self, extent: Extent) -> Span {

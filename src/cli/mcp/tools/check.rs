@@ -3,8 +3,7 @@
 use super::super::answer::ToolAnswer;
 use super::super::command::OwnProgram;
 use super::super::input::ToolInput;
-use super::tool::{Tool, ToolWrites, asked};
-use crate::cli::command::FAILED;
+use super::tool::{Tool, ToolWrites, asked, ran};
 use crate::commands::CheckRequest;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -37,11 +36,7 @@ impl Tool for CheckTool {
         let mut args = asked(&self, "check", folder.path())?;
         args.option("--format", Some("tool"));
         args.option("--stdin-filename", self.name.as_ref());
-        args.0.extend(input.args());
-        let done = program.run(args.0, input.text()).await?;
-        if done.code == i32::from(FAILED) && done.out.is_empty() {
-            return Err(done.err);
-        }
+        let done = ran(program, args, &input).await?;
         Ok(ToolAnswer::of_outcome(&done, "no findings"))
     }
 }

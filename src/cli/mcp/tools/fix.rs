@@ -3,8 +3,7 @@
 use super::super::answer::{MAX_TEXT, ToolAnswer};
 use super::super::command::{CommandOutcome, OwnProgram};
 use super::super::input::ToolInput;
-use super::tool::{Tool, ToolWrites, asked};
-use crate::cli::command::FAILED;
+use super::tool::{Tool, ToolWrites, asked, ran};
 use crate::commands::CheckRequest;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,11 +49,7 @@ impl Tool for FixTool {
             (ToolInput::Code(_), false) | (ToolInput::Path(_), true) => args.switch("--fix", true),
             (ToolInput::Path(_), false) => args.switch("--diff", true),
         }
-        args.0.extend(input.args());
-        let done = program.run(args.0, input.text()).await?;
-        if done.code == i32::from(FAILED) && done.out.is_empty() {
-            return Err(done.err);
-        }
+        let done = ran(program, args, &input).await?;
         match input {
             ToolInput::Code(code) => fixed(code, done),
             ToolInput::Path(_) if self.write => Ok(ToolAnswer::of_outcome(&done, "no findings")),

@@ -1,7 +1,9 @@
 //! The interface of tools, and a builder for command arguments.
 
 use super::super::answer::ToolAnswer;
-use super::super::command::OwnProgram;
+use super::super::command::{CommandOutcome, OwnProgram};
+use super::super::input::ToolInput;
+use crate::cli::command::FAILED;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -32,6 +34,23 @@ pub enum ToolWrites {
     Nothing,
     /// Files that the arguments name, and existing files if asked to.
     Files,
+}
+
+/// Runs a command on the input of a tool.
+///
+/// # Errors
+/// A message if it has not finished, or if it failed without output.
+pub async fn ran(
+    program: &OwnProgram,
+    mut args: Args,
+    input: &ToolInput<'_>,
+) -> Result<CommandOutcome, String> {
+    args.0.extend(input.args());
+    let done = program.run(args.0, input.text()).await?;
+    match done.code == i32::from(FAILED) && done.out.is_empty() {
+        true => Err(done.err),
+        false => Ok(done),
+    }
 }
 
 /// The arguments of a command that reads the rest from a file, which is written to a folder.

@@ -105,10 +105,7 @@ impl ExplainContext<'_> {
         })?;
         let mut all = self.tree.qualifiers(list).to_vec();
         let (first, last) = (all.first()?.extent, all.last()?.extent);
-        let extent = Extent {
-            first: first.first,
-            last: last.last,
-        };
+        let extent = Extent::new(first.first, last.last);
         if !self.is_direct(extent) {
             return None;
         }

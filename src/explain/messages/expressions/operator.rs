@@ -386,10 +386,10 @@ impl ExplainContext<'_> {
 
     /// `l op r` becomes `function(l, r)`, as floats, and with a scalar widened to the other vector.
     fn as_call(&self, id: ExprId, function: BuiltinId, left: ExprId, right: ExprId) -> Option<Fix> {
-        let all = Extent {
-            first: self.tree.expr(left).extent.first,
-            last: self.tree.expr(right).extent.last,
-        };
+        let all = Extent::new(
+            self.tree.expr(left).extent.first,
+            self.tree.expr(right).extent.last,
+        );
         let (l, r) = (self.ty(left), self.ty(right));
         let (_, 1, lr) = l.numeric()? else {
             return None;

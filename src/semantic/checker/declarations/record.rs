@@ -216,10 +216,7 @@ impl Checker<'_> {
         let Some(decl) = tree.structure(members) else {
             return;
         };
-        let header = Extent {
-            first: extent.first,
-            last: decl.name.map_or(extent.first, |n| n.token),
-        };
+        let header = Extent::new(extent.first, decl.name.map_or(extent.first, |n| n.token));
         if !self.has(Feature::Blocks) {
             // The members are declared all the same: their uses are not mistakes of their own.
             self.reject(header, RecordError::BlockLater);
