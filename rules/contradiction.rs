@@ -1,7 +1,7 @@
 //! `x > 0.5 && x < 0.2`, `k != 1 || k != 2`.
 
 use shaderlint_lint::{BinaryExpr, Context, same_code};
-use shaderlint_semantic::{Program, Scalar, Value};
+use shaderlint_semantic::{Program, Scalar};
 use shaderlint_syntax::ast::*;
 
 rule! { contradiction, Tidy, Warning, Recommended, Binary(check) }
@@ -116,7 +116,7 @@ fn term(program: &Program, expr: ExprId, mut truth: bool) -> Option<Term> {
         _ => return None,
     };
     let op = if truth { op } else { negated(op)? };
-    let set = Set::of(op, number(value))?;
+    let set = Set::of(op, value.as_number())?;
     let is = match scalar {
         Scalar::Int | Scalar::Uint => set.of_integers(),
         _ => set,
@@ -191,14 +191,6 @@ impl Set {
     fn ends_before(&self, other: &Set) -> bool {
         let is_open = self.without_hi || other.without_lo;
         self.hi < other.lo || (self.hi == other.lo && is_open)
-    }
-}
-
-fn number(value: Value) -> f64 {
-    match value {
-        Value::Int(v) => v as f64,
-        Value::Uint(v) => v as f64,
-        v => v.as_float() as f64,
     }
 }
 

@@ -84,9 +84,5 @@ fn literal(program: &Program, expr: ExprId) -> Option<f64> {
         ExprKind::Unary(UnaryOp::Minus, inner) => return Some(-literal(program, inner)?),
         _ => return None,
     }
-    Some(match program.scalar(at)? {
-        Value::Int(v) => v as f64,
-        Value::Uint(v) => v as f64,
-        v => v.as_float() as f64,
-    })
+    program.scalar(at).map(Value::as_number)
 }

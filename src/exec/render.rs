@@ -49,11 +49,7 @@ pub struct Sampled {
 
 /// The tile of up to eight quads, given by their lower left pixels.
 pub(super) fn tile_of(size: [u32; 2], quads: &[[u32; 2]]) -> Tile {
-    let mut tile = Tile {
-        pixels: [[0; 2]; LANES],
-        requested: 0,
-        cases: [0; LANES],
-    };
+    let mut tile = Tile::default();
     for (lane, pixel) in tile.pixels.iter_mut().enumerate() {
         let (right, up) = (lane as u32 & 1, lane as u32 >> 1 & 1);
         // Unused lanes duplicate the last quad as helper lanes.
@@ -111,11 +107,7 @@ const LANE_AT: [[usize; GROUP[0]]; GROUP[1]] = {
 
 /// The tile of the group of pixels with this lower left pixel.
 fn group_at(size: [u32; 2], [left, below]: [u32; 2]) -> Tile {
-    let mut tile = Tile {
-        pixels: [[0; 2]; LANES],
-        requested: 0,
-        cases: [0; LANES],
-    };
+    let mut tile = Tile::default();
     let is_inside = |[x, y]: [u32; 2]| x < size[0] && y < size[1];
     // Quads outside of the image duplicate the last one inside as helper lanes.
     let mut last = [left, below];

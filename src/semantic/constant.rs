@@ -79,6 +79,15 @@ impl Value {
             Value::Float(v) => v,
         }
     }
+
+    /// The exact number.
+    pub fn as_number(self) -> f64 {
+        match self {
+            Value::Int(v) => v as f64,
+            Value::Uint(v) => v as f64,
+            v => v.as_float() as f64,
+        }
+    }
 }
 
 /// `int(x)`. Out-of-range values are undefined; ANGLE uses the result of the processor.

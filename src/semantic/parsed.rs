@@ -7,9 +7,7 @@ use super::program::{ExprInfo, Resolution, VariableId, struct_name};
 use super::types::{Struct, Type, type_name};
 use super::typing::Types;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{
-    ExactPlace, Feature, GlContext, Name, Names, Token, TokenKind, Tokens, Version,
-};
+use shaderlint_syntax::{ExactPlace, Feature, GlContext, Name, Names, Token, Tokens, Version};
 use shaderlint_text::{Role, Sources, Span};
 use std::ops::Deref;
 
@@ -39,17 +37,8 @@ impl<'a> ParsedView<'a> {
 
     pub fn token(&self, id: TokenId) -> Token {
         let tokens = &self.tokens.tokens;
-        tokens
-            .get(id as usize)
-            .or(tokens.last())
-            .copied()
-            .unwrap_or(Token {
-                kind: TokenKind::End,
-                value: 0,
-                span: Span::default(),
-                spelled: 0,
-                expansion: Token::DIRECT,
-            })
+        let token = tokens.get(id as usize).or(tokens.last());
+        token.copied().unwrap_or(Token::END)
     }
 
     pub fn token_span(&self, id: TokenId) -> Span {

@@ -66,10 +66,7 @@ fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
     let mut found = Vec::new();
     for (raw, range, _) in written_tokens(text) {
         let kind = match raw {
-            RawKind::Whitespace
-            | RawKind::LineComment
-            | RawKind::BlockComment
-            | RawKind::OpenComment => continue,
+            blank if blank.is_blank() => continue,
             RawKind::Newline => Kind::Newline,
             RawKind::Word | RawKind::ForeignWord => Kind::Word,
             RawKind::Hash => Kind::Hash,

@@ -37,6 +37,14 @@ pub enum RawKind {
     End,
 }
 
+impl RawKind {
+    /// Whether it is a comment or blanks within a line.
+    pub const fn is_blank(self) -> bool {
+        use RawKind::*;
+        matches!(self, Whitespace | LineComment | BlockComment | OpenComment)
+    }
+}
+
 /// A token before preprocessing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RawToken {
@@ -113,16 +121,21 @@ const _: () = assert!(size_of::<RawToken>() <= 12);
 
 impl Token {
     /// End of an empty text.
-    pub const END: Token = Token {
-        kind: TokenKind::End,
-        value: 0,
-        span: Span { start: 0, end: 0 },
-        spelled: 0,
-        expansion: Token::DIRECT,
-    };
+    pub const END: Token = Token::direct(TokenKind::End, 0, Span { start: 0, end: 0 });
 
     /// The `expansion` of a token that is not produced by a macro.
     pub const DIRECT: u32 = u32::MAX;
+
+    /// A token in the source text, outside any macro call.
+    pub const fn direct(kind: TokenKind, value: u32, span: Span) -> Token {
+        Token {
+            kind,
+            value,
+            span,
+            spelled: span.start,
+            expansion: Token::DIRECT,
+        }
+    }
 
     /// Whether the token is in the source text, outside any macro call.
     pub fn is_direct(&self) -> bool {

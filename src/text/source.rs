@@ -270,6 +270,16 @@ impl Sources {
         self.file_at(address).is_some_and(|f| f.role == Role::User)
     }
 
+    /// The code before an address in its text, and from there on; empty if there is none.
+    pub fn around(&self, address: u32) -> (&str, &str) {
+        let code = self.code_at(address);
+        let parts = code.and_then(|code| {
+            let at = (address - code.base) as usize;
+            code.text.split_at_checked(at)
+        });
+        parts.unwrap_or_default()
+    }
+
     /// The text of a span; empty if the span leaves its file or splits a character.
     pub fn text(&self, span: Span) -> &str {
         self.file_at(span.start)

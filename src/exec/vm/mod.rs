@@ -30,7 +30,7 @@ pub use watch::Fault;
 type Bank = [Row];
 
 /// The pixels executed together.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Tile {
     pub pixels: [[u32; 2]; LANES],
     /// The requested lanes; the others are helper lanes for derivatives.
@@ -92,11 +92,7 @@ impl<'d> Vm<'d> {
             expanded: ActiveLanes::of(u32::MAX, 0),
             fuel: 0,
             spent: code.uniform_prologue.len() as u64,
-            tile: Tile {
-                pixels: [[0; 2]; LANES],
-                requested: 0,
-                cases: [0; LANES],
-            },
+            tile: Tile::default(),
             watched: Watched::new(code),
             traced: None,
             pauses: 0,

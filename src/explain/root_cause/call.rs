@@ -49,8 +49,7 @@ impl FaultyShader<'_> {
 
     /// Reads the call whose name starts at `start`.
     fn written(&self, start: u32) -> Option<CallTokens> {
-        let code = self.program.sources.code_at(start)?;
-        let mut lexer = Lexer::new(code.text.get((start - code.base) as usize..)?, start);
+        let (_, rest) = self.program.sources.around(start);
         let mut call = CallTokens {
             tokens: Vec::new(),
             open: Span::default(),
@@ -58,14 +57,11 @@ impl FaultyShader<'_> {
             close: None,
         };
         let mut open = 0_u32;
-        while call.tokens.len() < MAX_TOKENS {
-            let token = lexer.next_token();
+        use RawKind::{BlockComment, LineComment, Newline, Whitespace};
+        let is_blank = |kind| matches!(kind, Whitespace | Newline | LineComment | BlockComment);
+        let is_code = |t: &RawToken| !is_blank(t.kind);
+        for token in Lexer::new(rest, start).filter(is_code).take(MAX_TOKENS) {
             match token.kind {
-                RawKind::End => break,
-                RawKind::Whitespace
-                | RawKind::Newline
-                | RawKind::LineComment
-                | RawKind::BlockComment => continue,
                 RawKind::Operator(TokenKind::LeftParen) => {
                     open += 1;
                     if open == 1 {

@@ -265,19 +265,10 @@ impl FaultyShader<'_> {
 
     /// The blanks before a place at the start of a line.
     pub(super) fn blanks_before(&self, span: Span) -> String {
-        let Some(code) = self.program.sources.code_at(span.start) else {
-            return String::new();
-        };
-        let before = code
-            .text
-            .get(..(span.start - code.base) as usize)
-            .unwrap_or("");
+        let (before, _) = self.program.sources.around(span.start);
         let line = before.rsplit(['\n', '\r']).next().unwrap_or("");
-        if line.trim().is_empty() {
-            line.to_string()
-        } else {
-            String::new()
-        }
+        let is_blank = line.trim().is_empty();
+        if is_blank { line } else { "" }.to_string()
     }
 
     fn indent_of(&self, span: Span) -> usize {

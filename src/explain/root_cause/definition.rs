@@ -315,10 +315,7 @@ impl FaultyShader<'_> {
     }
 
     pub(super) fn end_of_line(&self, at: u32) -> u32 {
-        let Some(code) = self.program.sources.code_at(at) else {
-            return at;
-        };
-        let rest = code.text.get((at - code.base) as usize..).unwrap_or("");
+        let (_, rest) = self.program.sources.around(at);
         at + rest.find(['\r', '\n']).unwrap_or(rest.len()) as u32
     }
 

@@ -4,7 +4,7 @@ use super::back::RequiredRange;
 use super::builtin::of_host;
 use super::interval::Interval;
 use super::node::{GetRange, Node, NodeSubject};
-use super::{Query, fitting, number};
+use super::{Query, fitting};
 use crate::reaching_definitions::condition::{each_comparison, each_load};
 use crate::reaching_definitions::{Def, DefId, Refinement, Slot};
 use shaderlint_ir::{Binary, LoopId, OpKind, Root};
@@ -184,7 +184,7 @@ impl Query<'_> {
                 && defs.unrefined(defs.seen(op, 0)) == head
         };
         let constant = |op| match self.module.constant(op) {
-            [value] => Some(number(*value)),
+            [value] => Some(value.as_number()),
             _ => None,
         };
         let step = match op {

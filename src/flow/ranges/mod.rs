@@ -32,7 +32,7 @@ use back::RequiredRange;
 use node::Node;
 use shaderlint_ir::{Binary, Module, OpId, OpKind, length_lane};
 use shaderlint_semantic::builtins::Transfer;
-use shaderlint_semantic::{FunctionRef, Program, Scalar, Value, VariableId};
+use shaderlint_semantic::{FunctionRef, Program, Scalar, VariableId};
 use shaderlint_syntax::ast::ExprId;
 use solve::SolverState;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -137,7 +137,7 @@ impl<'x> Query<'x> {
         let constants = values
             .iter()
             .filter(move |_| is_known)
-            .map(|v| Interval::constant(number(*v)));
+            .map(|v| Interval::constant(v.as_number()));
         let op = self.module.op_of(expr).filter(|_| values.is_empty());
         constants.chain(op.into_iter().flat_map(move |op| self.components(op)))
     }
@@ -280,15 +280,6 @@ fn fitting(scalar: Option<Scalar>, range: Interval) -> Interval {
         fitting = Interval::new(0.0, f64::INFINITY, Tightness::Loose).like(&range);
     }
     fitting.exactly()
-}
-
-/// A scalar as a number.
-pub(super) fn number(value: Value) -> f64 {
-    match value {
-        Value::Int(v) => v as f64,
-        Value::Uint(v) => v as f64,
-        v => v.as_float() as f64,
-    }
 }
 
 /// The comparison operator that is true where `op` is false.

@@ -1,10 +1,10 @@
 //! Transfer functions of IR operations.
 
+use super::Query;
 use super::builtin::of_function;
 use super::entry::{join, measure};
 use super::interval::{Interval, Tightness};
 use super::node::{GetRange, Node, NodeSubject};
-use super::{Query, number};
 use crate::reaching_definitions::Def;
 use crate::same::is_same;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary, column_lanes, length_lane};
@@ -115,7 +115,7 @@ impl Query<'_> {
         let (column, row) = (lane / column_lanes(rows), lane % column_lanes(rows));
         let at = column * rows as u32 + row;
         let value = self.module.constant(op).get(at as usize);
-        value.map_or(Interval::ANY, |v| Interval::constant(number(*v)))
+        value.map_or(Interval::ANY, |v| Interval::constant(v.as_number()))
     }
 
     /// The range of a component of an operand.

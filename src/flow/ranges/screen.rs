@@ -1,7 +1,7 @@
 //! Pixel coordinates: linear combinations of `gl_FragCoord` and `iResolution`.
 
+use super::Query;
 use super::interval::{Interval, Tightness, below};
-use super::{Query, number};
 use crate::reaching_definitions::Def;
 use shaderlint_ir::{Binary, OpId, OpKind, Unary};
 use shaderlint_semantic::VariableId;
@@ -84,7 +84,7 @@ impl Query<'_> {
         *left = left.checked_sub(1)?;
         let (module, defs) = (self.module, self.defs);
         let constant = |op: OpId| match module.constant(op) {
-            [value] => Some(number(*value)),
+            [value] => Some(value.as_number()),
             _ => None,
         };
         let factor = |op: OpId| match module.op(op).kind {

@@ -179,14 +179,7 @@ struct SeenWord<'t> {
 }
 
 fn is_blank(token: &RawToken) -> bool {
-    matches!(
-        token.kind,
-        RawKind::Whitespace
-            | RawKind::Newline
-            | RawKind::LineComment
-            | RawKind::BlockComment
-            | RawKind::OpenComment
-    )
+    token.kind == RawKind::Newline || token.kind.is_blank()
 }
 
 /// What precedes a token.

@@ -438,10 +438,7 @@ fn next_code(text: &str, address: u32, ends: &FxHashMap<u32, u32>) -> (u32, Span
     loop {
         let token = lexer.next_token();
         match token.kind {
-            RawKind::Whitespace
-            | RawKind::LineComment
-            | RawKind::BlockComment
-            | RawKind::OpenComment => {}
+            blank if blank.is_blank() => {}
             RawKind::Newline if first.is_none() => {}
             RawKind::Newline | RawKind::End => {
                 let start = first.unwrap_or(token.span.start);

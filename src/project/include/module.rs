@@ -197,10 +197,7 @@ fn top_names(text: &str) -> HashSet<String> {
                 at_line_start = true;
                 in_directive = false;
             }
-            RawKind::Whitespace
-            | RawKind::LineComment
-            | RawKind::BlockComment
-            | RawKind::OpenComment => {}
+            blank if blank.is_blank() => {}
             RawKind::Hash if at_line_start => in_directive = true,
             kind => {
                 at_line_start = false;

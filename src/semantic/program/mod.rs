@@ -202,6 +202,14 @@ impl ExprInfo {
         // Avoids follow-up errors about constants.
         is_const: true,
     };
+
+    /// An expression of a known type with a reported error.
+    pub const fn wrong(ty: Type) -> ExprInfo {
+        ExprInfo {
+            ty,
+            ..ExprInfo::ERROR
+        }
+    }
 }
 
 /// A checked shader.

@@ -451,19 +451,6 @@ impl Parser<'_> {
         let blanks = text.unwrap_or("").chars().take_while(is_blank).count();
         Span::new(from, from + blanks as u32)
     }
-
-    /// The indentation of a token's line.
-    fn blanks_before_line(&self, at: usize) -> &str {
-        let start = self.token(at).span.start;
-        let Some(file) = self.sources.file_at(start) else {
-            return "";
-        };
-        let lines = file.lines();
-        let line = lines.start(lines.line(start - file.base)).unwrap_or(0);
-        let text = file.text.get(line as usize..).unwrap_or("");
-        let end = text.find(|c| !matches!(c, ' ' | '\t')).unwrap_or(0);
-        text.get(..end).unwrap_or("")
-    }
 }
 
 /// Number of lines in `laid` whose indentation contradicts an edit of one brace, and the brace that

@@ -120,13 +120,7 @@ pub(super) fn change_tokens(tokens: &mut Vec<Token>, at: usize, change: TokenCha
         TokenChange::Insert(kind, value) => {
             let before = at.checked_sub(1).and_then(|i| tokens.get(i));
             let address = before.map_or(0, |t| t.span.end);
-            let token = Token {
-                kind,
-                value,
-                span: Span::at(address),
-                spelled: address,
-                expansion: Token::DIRECT,
-            };
+            let token = Token::direct(kind, value, Span::at(address));
             tokens.insert(at.min(tokens.len()), token);
         }
         TokenChange::Delete if at < tokens.len() => {

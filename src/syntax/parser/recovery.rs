@@ -368,18 +368,21 @@ impl Parser<'_> {
 
     /// Indentation of the line that contains a token, up to a limit.
     pub(super) fn indent(&self, at: usize) -> usize {
+        let blanks = self.blanks_before_line(at).chars().take(MAX_INDENT);
+        blanks.map(|c| if c == '\t' { 4 } else { 1 }).sum()
+    }
+
+    /// The blanks before the line that contains a token.
+    pub(super) fn blanks_before_line(&self, at: usize) -> &str {
         let start = self.token(at).span.start;
         let Some(file) = self.sources.file_at(start) else {
-            return 0;
+            return "";
         };
         let lines = file.lines();
         let line = lines.start(lines.line(start - file.base)).unwrap_or(0);
         let text = file.text.get(line as usize..).unwrap_or("");
-        text.chars()
-            .take(MAX_INDENT)
-            .take_while(|c| matches!(c, ' ' | '\t'))
-            .map(|c| if c == '\t' { 4 } else { 1 })
-            .sum()
+        let end = text.find(|c| !matches!(c, ' ' | '\t'));
+        text.get(..end.unwrap_or(text.len())).unwrap_or("")
     }
 
     /// Whether the function that starts here indicates that the block opened at `open` is unclosed:

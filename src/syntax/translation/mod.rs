@@ -152,13 +152,7 @@ impl<'a> Translator<'a> {
 
     /// Emits a GLSL token in place of foreign text.
     fn put(&mut self, kind: TokenKind, value: u32, span: Span) {
-        self.push(Token {
-            kind,
-            value,
-            span,
-            spelled: span.start,
-            expansion: Token::DIRECT,
-        });
+        self.push(Token::direct(kind, value, span));
     }
 
     fn put_type(&mut self, word: TypeWord, span: Span) {

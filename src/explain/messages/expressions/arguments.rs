@@ -53,12 +53,17 @@ impl ExplainContext<'_> {
             (None, Some(before)) => Span::new(self.expr_span(*args.get(before)?).end, end.end),
             (None, None) => start.to(end),
         };
-        let text = self.sources.text(start.to(end));
+        Some(self.without(start.to(end), span))
+    }
+
+    /// Removes extra arguments with what separates them from the others.
+    pub(super) fn without(&self, arguments: Span, whole: Span) -> Fix {
+        let text = self.sources.text(arguments);
         let title = match text.len() < 40 && !text.contains('\n') {
             true => format!("remove `{text}`"),
             false => "remove the extra arguments".to_string(),
         };
-        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
+        Fix::suggestion(title, vec![Edit::delete(whole)])
     }
 
     /// Removes arguments to match an overload with fewer, if one is a `bool` or nothing else helps.

@@ -147,15 +147,9 @@ impl ExplainContext<'_> {
     fn drop_from(&self, args: &[ExprId], arg: ExprId) -> Option<Fix> {
         let at = args.iter().position(|&a| a == arg)?;
         let (&before, &last) = (args.get(at.checked_sub(1)?)?, args.last()?);
-        let span = Span::new(self.expr_span(before).end, self.expr_span(last).end);
-        let text = self
-            .sources
-            .text(self.expr_span(arg).to(self.expr_span(last)));
-        let title = match text.len() < 40 && !text.contains('\n') {
-            true => format!("remove `{text}`"),
-            false => "remove the extra arguments".to_string(),
-        };
-        Some(Fix::suggestion(title, vec![Edit::delete(span)]))
+        let last = self.expr_span(last);
+        let span = Span::new(self.expr_span(before).end, last.end);
+        Some(self.without(self.expr_span(arg).to(last), span))
     }
 
     /// Adds the missing components of a vector.

@@ -64,9 +64,7 @@ impl FaultyShader<'_> {
 
     /// A comment that ends with `*/` and starts without `/*`.
     fn lost_start(&self, line: &FaultyLine) -> Option<RepairCandidate> {
-        let code = self.program.sources.code_at(line.start)?;
-        let offset = (line.start - code.base) as usize;
-        let rest = code.text.get(offset..).unwrap_or("");
+        let (_, rest) = self.program.sources.around(line.start);
         let lines = rest.split_inclusive('\n').take(MAX_LINES);
         let within: usize = lines.map(str::len).sum();
         let rest = rest.get(..within).unwrap_or("");

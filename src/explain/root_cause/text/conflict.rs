@@ -78,10 +78,7 @@ impl FaultyShader<'_> {
 
     /// The lines from an address on.
     pub(super) fn rows_from(&self, start: u32) -> Vec<TextRow<'_>> {
-        let Some(code) = self.program.sources.code_at(start) else {
-            return Vec::new();
-        };
-        let rest = code.text.get((start - code.base) as usize..).unwrap_or("");
+        let (_, rest) = self.program.sources.around(start);
         let mut at = start;
         let rows = rest.split_inclusive('\n').take(MAX_LINES).map(|text| {
             let row = TextRow { start: at, text };

@@ -20,13 +20,11 @@ impl FaultyShader<'_> {
     fn pasted_twice(&self) -> Option<RepairCandidate> {
         let mut errors = self.errors.iter();
         let d = errors.find(|d| d.is(error::VERSION_PLACEMENT))?;
-        let code = self.program.sources.code_at(d.span.start)?;
-        let offset = (d.span.start - code.base) as usize;
-        let (first, second) = code.text.split_at_checked(offset)?;
-        if first.trim() != second.trim() {
+        let (first, second) = self.program.sources.around(d.span.start);
+        if second.is_empty() || first.trim() != second.trim() {
             return None;
         }
-        let end = code.base + code.text.len() as u32;
+        let end = d.span.start + second.len() as u32;
         let edits = vec![Edit::delete(Span::new(d.span.start, end))];
         let (kind, title) = (error::VERSION_PLACEMENT, "remove the second copy");
         let message = "the shader is pasted twice";
@@ -78,13 +76,10 @@ impl FaultyShader<'_> {
 
     /// The code from an address to the brace that closes the first one after it.
     pub(super) fn braced_from(&self, start: u32) -> Option<Span> {
-        let code = self.program.sources.code_at(start)?;
-        let mut lexer = Lexer::new(code.text.get((start - code.base) as usize..)?, start);
+        let (_, rest) = self.program.sources.around(start);
         let mut depth = 0_u32;
-        for _ in 0..MAX_TOKENS {
-            let token = lexer.next_token();
+        for token in Lexer::new(rest, start).take(MAX_TOKENS) {
             match token.kind {
-                RawKind::End => return None,
                 RawKind::Operator(TokenKind::LeftBrace) => depth += 1,
                 RawKind::Operator(TokenKind::RightBrace) => {
                     depth = depth.checked_sub(1)?;
@@ -106,8 +101,7 @@ impl FaultyShader<'_> {
         }
         let start = line.span(0).start;
         let body = self.braced_from(start)?;
-        let code = self.program.sources.code_at(start)?;
-        let before = code.text.get(..(start - code.base) as usize).unwrap_or("");
+        let (before, _) = self.program.sources.around(start);
         // The innermost open brace is that of a struct.
         let from = before.rfind("struct").unwrap_or(before.len());
         let tokens = tokenize(before.get(from..).unwrap_or(""), 0);

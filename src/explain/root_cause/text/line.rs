@@ -158,16 +158,7 @@ impl FaultyShader<'_> {
         let text = code.text.get(from..to)?;
         let start = code.base + from as u32;
         let mut tokens = tokenize(text, start);
-        tokens.retain(|t| {
-            !matches!(
-                t.kind,
-                RawKind::Whitespace
-                    | RawKind::Newline
-                    | RawKind::LineComment
-                    | RawKind::BlockComment
-                    | RawKind::OpenComment
-            )
-        });
+        tokens.retain(|t| t.kind != RawKind::Newline && !t.kind.is_blank());
         Some(FaultyLine {
             start,
             text,

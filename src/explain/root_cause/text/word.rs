@@ -364,8 +364,7 @@ impl FaultyShader<'_> {
     /// `catch (e) { ... }` after a block: a word that is no GLSL, and its block.
     fn handler_after(&self, block: u32) -> Option<Span> {
         let end = self.braced_from(block)?.end;
-        let code = self.program.sources.code_at(end)?;
-        let rest = code.text.get((end - code.base) as usize..)?;
+        let (_, rest) = self.program.sources.around(end);
         let start = end + (rest.len() - rest.trim_start().len()) as u32;
         let word = rest
             .trim_start()

@@ -37,10 +37,7 @@ impl Checker<'_> {
         }
         let (at, by) = (self.tree.expr(id).extent, Writer::Assign(op));
         if !self.check_assignable(left, at, by) || r.ty.is_error() {
-            return ExprInfo {
-                ty: l.ty,
-                ..ExprInfo::ERROR
-            };
+            return ExprInfo::wrong(l.ty);
         }
         let fits = match op {
             None => typing::assign(self.types(), l.ty, r.ty),

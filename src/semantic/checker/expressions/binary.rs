@@ -42,10 +42,7 @@ impl Checker<'_> {
     /// The result of an operator whose operands were reported.
     fn poisoned(&self, op: BinaryOp) -> ExprInfo {
         if op.compares() || op.is_logical() {
-            ExprInfo {
-                ty: Type::BOOL,
-                ..ExprInfo::ERROR
-            }
+            ExprInfo::wrong(Type::BOOL)
         } else {
             ExprInfo::ERROR
         }

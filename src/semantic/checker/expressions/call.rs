@@ -129,10 +129,7 @@ impl Checker<'_> {
         let common = typing::common(functions.map(|f| f.returns));
         let is_builtin = self.builtins.function(self.text(name)).is_some();
         let ty = common.filter(|_| !is_builtin).unwrap_or(Type::ERROR);
-        ExprInfo {
-            ty,
-            ..ExprInfo::ERROR
-        }
+        ExprInfo::wrong(ty)
     }
 
     /// The result of a GLSL ES 1.00 lookup, so that its error does not cause others.
@@ -145,10 +142,7 @@ impl Checker<'_> {
         } else {
             Type::ERROR
         };
-        ExprInfo {
-            ty,
-            ..ExprInfo::ERROR
-        }
+        ExprInfo::wrong(ty)
     }
 
     fn check_out_argument(&mut self, arg: ExprId, direction: &'static str) {
@@ -209,10 +203,7 @@ impl Checker<'_> {
         let (_, overloads) = self.builtins.overloads_of(function);
         let fitting = overloads.iter().filter(|o| o.params().len() == count);
         let ty = typing::common(fitting.map(|o| o.returns)).unwrap_or(Type::ERROR);
-        ExprInfo {
-            ty,
-            ..ExprInfo::ERROR
-        }
+        ExprInfo::wrong(ty)
     }
 
     fn fold_call(&mut self, overload: &Overload, args: &[ExprId]) -> Constant {

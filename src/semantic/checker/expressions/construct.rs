@@ -34,16 +34,10 @@ impl Checker<'_> {
                 TypeMismatch::NotConstructible(_) => Type::ERROR,
                 _ => ty,
             };
-            return ExprInfo {
-                ty,
-                ..ExprInfo::ERROR
-            };
+            return ExprInfo::wrong(ty);
         }
         if types.clone().any(Type::is_error) {
-            return ExprInfo {
-                ty,
-                ..ExprInfo::ERROR
-            };
+            return ExprInfo::wrong(ty);
         }
         let infos = || args.iter().map(|&a| self.info(a));
         let is_known = infos().all(|i| i.is_const && i.constant.is_known());
