@@ -1,8 +1,8 @@
 //! `case` labels outside the range of the selector.
 
 use shaderlint_lint::Context;
-use shaderlint_lint::given::depends_on_callers;
-use shaderlint_semantic::{Storage, Value};
+use shaderlint_lint::given::is_computed_here;
+use shaderlint_semantic::Value;
 use shaderlint_syntax::ast::*;
 
 rule! { unreachable_case, Numeric, Warning, Recommended, Stmt(check) }
@@ -13,7 +13,7 @@ fn check(cx: &mut Context, id: StmtId) {
     let StmtKind::Switch { selector, body } = tree.stmt(id).kind else {
         return;
     };
-    if program.expr(selector).is_const || !is_computed_here(cx, selector) {
+    if program.expr(selector).is_const || !is_computed_here(program, cx.facts, selector) {
         return;
     }
     let Some(range) = cx.facts.range(selector).next() else {
@@ -39,13 +39,4 @@ fn check(cx: &mut Context, id: StmtId) {
                 .label(place, known.clone());
         }
     }
-}
-
-/// Whether the function itself computes the selector; callers and the host may pass anything.
-fn is_computed_here(cx: &Context, selector: ExprId) -> bool {
-    let variable = cx.program.variable_of(selector);
-    let storage = variable
-        .and_then(|v| cx.program.variable(v))
-        .map(|v| v.storage);
-    matches!(storage, None | Some(Storage::Local)) && !depends_on_callers(cx.facts, selector)
 }

@@ -2,9 +2,9 @@
 
 use shaderlint_flow::ranges::Interval;
 use shaderlint_ir::OpKind;
-use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
+use shaderlint_lint::given::{is_computed_here, is_exact, is_of_uniforms};
 use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Storage};
+use shaderlint_semantic::BuiltinId;
 use shaderlint_syntax::ast::*;
 
 rule! { useless_clamp, Numeric, Info, Recommended, Builtin(check) }
@@ -59,7 +59,9 @@ fn check(cx: &mut Context, call: &Builtin) {
         }
         None => return,
     };
-    if !is_computed_here(cx, value) || may_be_nan(cx, value) {
+    // Clamping what callers and the host pass is reasonable.
+    let is_own = is_computed_here(program, cx.facts, value) && !is_of_uniforms(program, value);
+    if !is_own || may_be_nan(cx, value) {
         return;
     }
     let place = program.expr_span(value);
@@ -112,15 +114,4 @@ fn cut(cx: &Context, value: ExprId, bound: ExprId, is_low: bool) -> Cut {
         }
     }
     all.unwrap_or(Cut::Sometimes)
-}
-
-/// Whether the function itself computes the value; clamping what callers and the host pass is reasonable.
-fn is_computed_here(cx: &Context, value: ExprId) -> bool {
-    let variable = cx.program.variable_of(value);
-    let storage = variable
-        .and_then(|v| cx.program.variable(v))
-        .map(|v| v.storage);
-    matches!(storage, None | Some(Storage::Local))
-        && !is_of_uniforms(cx.program, value)
-        && !depends_on_callers(cx.facts, value)
 }

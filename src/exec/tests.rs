@@ -168,11 +168,7 @@ fn statistics_do_not_change_the_image() {
     let text = format!("{HEAD}{BUSY}");
     let levels = [Watch::Nothing, Watch::Flow, Watch::Faults, Watch::Numbers];
     let renders = levels.map(|watch| {
-        let options = CompileOptions {
-            watch,
-            ..CompileOptions::default()
-        };
-        let code = compiled(&text, &options);
+        let code = compiled(&text, &watching(watch));
         let mut ready = Draw::new(&code, [40, 24]);
         set_all(&mut ready);
         draw(&ready, 1).unwrap().outputs
@@ -182,17 +178,20 @@ fn statistics_do_not_change_the_image() {
     }
 }
 
+fn watching(watch: Watch) -> CompileOptions {
+    CompileOptions {
+        watch,
+        ..CompileOptions::default()
+    }
+}
+
 fn seen(statements: &str) -> Observations {
     seen_by(Watch::Numbers, statements)
 }
 
 fn seen_by(watch: Watch, statements: &str) -> Observations {
     let text = format!("{HEAD}void main() {{ int p = int(gl_FragCoord.x); {statements} }}");
-    let options = CompileOptions {
-        watch,
-        ..CompileOptions::default()
-    };
-    let code = compiled(&text, &options);
+    let code = compiled(&text, &watching(watch));
     let mut ready = Draw::new(&code, [8, 1]);
     set_all(&mut ready);
     draw(&ready, 1).unwrap().seen

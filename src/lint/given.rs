@@ -10,6 +10,13 @@ use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
 /// Most operations and definitions that are followed.
 const MAX_PARTS: usize = 160;
 
+/// Whether the function itself computes a value; callers and the host may pass anything.
+pub fn is_computed_here(program: &Program, facts: &Facts, expr: ExprId) -> bool {
+    let variable = program.variable_of(expr).and_then(|v| program.variable(v));
+    let storage = variable.map(|v| v.storage);
+    matches!(storage, None | Some(Storage::Local)) && !depends_on_callers(facts, expr)
+}
+
 /// Whether the range of an expression depends on arguments of callers or on globals: a check of such a
 /// value is reasonable. Also true if the value takes too long to follow.
 pub fn depends_on_callers(facts: &Facts, expr: ExprId) -> bool {

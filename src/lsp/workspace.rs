@@ -25,12 +25,19 @@ pub trait Workspace: Send + Sync {
     /// The files that are not open.
     fn saved(&self) -> &dyn Files;
 
+    /// The configurations of the files.
+    fn configs(&self) -> &WorkspaceConfigs;
+
     /// The options for checking a file; `None` if its configuration never was valid.
-    fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>>;
+    fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
+        self.configs().options(path, runs)
+    }
 
     /// The configurations that cannot be used, of those that apply to some files. Their last valid
     /// content is used.
-    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigProblem>;
+    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigProblem> {
+        self.configs().invalid(paths)
+    }
 
     /// The formatting style of a file: as configured, and otherwise `client`.
     ///
@@ -39,7 +46,9 @@ pub trait Workspace: Send + Sync {
     fn style(&self, path: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>>;
 
     /// Whether the configuration excludes a file.
-    fn leaves_out(&self, path: &Path) -> bool;
+    fn leaves_out(&self, path: &Path) -> bool {
+        self.configs().quick.leaves_out(path)
+    }
 
     /// The files in some folders that may contain shaders.
     fn files(&self, folders: &[PathBuf]) -> Vec<PathBuf>;

@@ -333,20 +333,21 @@ fn jump_of(program: &Program, main: &Main) -> Option<Extent> {
     jumps.next().map(|s| s.extent)
 }
 
+/// Whether an expression is the output.
+fn is_color(program: &Program, main: &Main, id: ExprId) -> bool {
+    let variable = program.variable_of(id).and_then(|v| program.variable(v));
+    variable.is_some_and(|v| v.token == main.color.ident.map(|i| i.token))
+}
+
 /// Whether a top-level statement of the body assigns the complete output.
 fn is_assigned_at_last(program: &Program, main: &Main) -> bool {
     let tree = &program.tree;
-    let token = main.color.ident.map(|i| i.token);
-    let is_color = |id: ExprId| {
-        let variable = program.variable_of(id).and_then(|v| program.variable(v));
-        variable.is_some_and(|v| v.token == token)
-    };
     let Some(StmtKind::Block(body)) = main.decl.body.map(|b| tree.stmt(b).kind) else {
         return false;
     };
     tree.block(body).iter().any(|id| match tree.stmt(*id).kind {
         StmtKind::Expr(expr) => {
-            matches!(tree.expr(expr).kind, ExprKind::Assign(None, to, _) if is_color(to))
+            matches!(tree.expr(expr).kind, ExprKind::Assign(None, to, _) if is_color(program, main, to))
         }
         _ => false,
     })
@@ -354,18 +355,14 @@ fn is_assigned_at_last(program: &Program, main: &Main) -> bool {
 
 /// Whether every use of the output is an assignment of all its components.
 fn is_only_assigned(program: &Program, main: &Main) -> bool {
-    let token = main.color.ident.map(|i| i.token);
-    let is_color = |id: ExprId| {
-        let variable = program.variable_of(id).and_then(|v| program.variable(v));
-        variable.is_some_and(|v| v.token == token)
-    };
     let exprs = &program.tree.exprs;
     let is_name = |i: &usize| {
         let id = ExprId(*i as u32);
-        matches!(program.tree.expr(id).kind, ExprKind::Name(_)) && is_color(id)
+        matches!(program.tree.expr(id).kind, ExprKind::Name(_)) && is_color(program, main, id)
     };
     let uses = (0..exprs.len()).filter(is_name).count();
-    let is_assigned = |e: &&Expr| matches!(e.kind, ExprKind::Assign(None, to, _) if is_color(to));
+    let is_assigned =
+        |e: &&Expr| matches!(e.kind, ExprKind::Assign(None, to, _) if is_color(program, main, to));
     uses == exprs.iter().filter(is_assigned).count()
 }
 

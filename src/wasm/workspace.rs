@@ -4,10 +4,9 @@ use super::files::MemoryFiles;
 use gen_lsp_types::Uri;
 use shaderlint_detect::kind::is_searched;
 use shaderlint_diagnostic::ERRORS;
-use shaderlint_engine::Options;
-use shaderlint_engine::config::{ConfigProblem, ProjectLimit};
+use shaderlint_engine::config::ProjectLimit;
 use shaderlint_format::StyleChoice;
-use shaderlint_lsp::{SampleRuns, Workspace, WorkspaceConfigs};
+use shaderlint_lsp::{Workspace, WorkspaceConfigs};
 use shaderlint_project::Files;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -41,16 +40,12 @@ impl Workspace for SentWorkspace {
         &*self.saved
     }
 
-    fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
-        self.configs.options(path, runs)
+    fn configs(&self) -> &WorkspaceConfigs {
+        &self.configs
     }
 
     fn style(&self, path: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>> {
         self.configs.quick.style(path, client)
-    }
-
-    fn leaves_out(&self, path: &Path) -> bool {
-        self.configs.quick.leaves_out(path)
     }
 
     fn files(&self, folders: &[PathBuf]) -> Vec<PathBuf> {
@@ -62,10 +57,6 @@ impl Workspace for SentWorkspace {
         let searched = inside.filter(|path| name(path) == Some(true) && !self.leaves_out(path));
         let searched: BTreeSet<PathBuf> = searched.collect();
         searched.into_iter().collect()
-    }
-
-    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigProblem> {
-        self.configs.invalid(paths)
     }
 
     fn project_files(&self, path: &Path, folders: &[PathBuf]) -> Vec<PathBuf> {

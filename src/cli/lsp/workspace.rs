@@ -6,10 +6,8 @@ use super::super::input::collect;
 use super::super::port::put_channels;
 use super::pages::PageFiles;
 use crate::detect::kind::is_searched;
-use crate::engine::Options;
-use crate::engine::config::ConfigProblem;
 use crate::format::StyleChoice;
-use crate::lsp::{SampleRuns, Workspace, WorkspaceConfigs};
+use crate::lsp::{Workspace, WorkspaceConfigs};
 use crate::project::{Files, GivenOrder, Project};
 use gen_lsp_types::Uri;
 use std::path::{Path, PathBuf};
@@ -39,20 +37,12 @@ impl Workspace for DiskWorkspace {
         &*self.disk
     }
 
-    fn options(&self, path: &Path, runs: SampleRuns) -> Option<Arc<Options>> {
-        self.configs.options(path, runs)
-    }
-
-    fn invalid_configs(&self, paths: &[PathBuf]) -> Vec<ConfigProblem> {
-        self.configs.invalid(paths)
+    fn configs(&self) -> &WorkspaceConfigs {
+        &self.configs
     }
 
     fn style(&self, path: &Path, client: StyleChoice) -> Result<StyleChoice, Arc<str>> {
         style(&self.configs.quick, path, client)
-    }
-
-    fn leaves_out(&self, path: &Path) -> bool {
-        self.configs.quick.leaves_out(path)
     }
 
     fn files(&self, folders: &[PathBuf]) -> Vec<PathBuf> {

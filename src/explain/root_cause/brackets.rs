@@ -89,20 +89,23 @@ impl FaultyShader<'_> {
             .rev()
             .filter(ends_operand)
             .take(MAX_PLACES);
-        for place in places.filter_map(|i| body.get(i)) {
-            let at = place.token.span.end;
-            let found = self.lacks(d, at, right);
-            let found = found.label(opener.token.span, format!("unclosed `{left}`"));
-            let fix = Fix::suggestion(format!("add `{right}`"), vec![Edit::insert(at, right)]);
-            all.push(d.candidate(found, fix));
-        }
-        let found = d.faulty(
-            opener.token.span,
-            format!("unmatched `{left}` in the definition of macro `{}`", d.name),
-        );
-        let title = format!("remove `{left}`");
-        let fix = Fix::suggestion(title, vec![Edit::delete(opener.token.span)]);
-        all.push(d.candidate(found, fix));
+        let label = (opener.token.span, format!("unclosed `{left}`"));
+        let places = places.filter_map(|i| body.get(i));
+        all.extend(places.map(|place| self.added(d, place.token.span.end, right, &label)));
+        all.push(removed(d, opener.token.span, left));
+    }
+
+    /// Adds a bracket; the label is at the other one.
+    fn added(
+        &self,
+        d: &Definition,
+        at: u32,
+        symbol: &str,
+        (other, label): &(Span, String),
+    ) -> RepairCandidate {
+        let found = self.lacks(d, at, symbol).label(*other, label);
+        let fix = Fix::suggestion(format!("add `{symbol}`"), vec![Edit::insert(at, symbol)]);
+        d.candidate(found, fix)
     }
 
     /// Several brackets are unclosed: closes all of them at the end.
@@ -115,10 +118,8 @@ impl FaultyShader<'_> {
         let last = d.last()?;
         let at = last.token.span.end;
         let found = self.lacks(d, at, &symbols);
-        let fix = Fix::suggestion(
-            format!("add `{symbols}`"),
-            vec![Edit::insert(at, symbols.clone())],
-        );
+        let title = format!("add `{symbols}`");
+        let fix = Fix::suggestion(title, vec![Edit::insert(at, symbols)]);
         Some(d.candidate(found, fix))
     }
 
@@ -160,26 +161,11 @@ impl FaultyShader<'_> {
             .iter()
             .take(close)
             .flat_map(|p| self.splits(p.token.span));
-        for at in after
-            .chain(before)
-            .take(MAX_PLACES)
-            .chain(split.take(MAX_PLACES))
-        {
-            let found = self.lacks(d, at, left);
-            let found = found.label(closer.token.span, format!("unmatched `{right}`"));
-            let fix = Fix::suggestion(format!("add `{left}`"), vec![Edit::insert(at, left)]);
-            all.push(d.candidate(found, fix));
-        }
-        let found = d.faulty(
-            closer.token.span,
-            format!(
-                "unmatched `{right}` in the definition of macro `{}`",
-                d.name
-            ),
-        );
-        let title = format!("remove `{right}`");
-        let fix = Fix::suggestion(title, vec![Edit::delete(closer.token.span)]);
-        all.push(d.candidate(found, fix));
+        let label = (closer.token.span, format!("unmatched `{right}`"));
+        let places = after.chain(before).take(MAX_PLACES);
+        let places = places.chain(split.take(MAX_PLACES));
+        all.extend(places.map(|at| self.added(d, at, left, &label)));
+        all.push(removed(d, closer.token.span, right));
     }
 
     /// Positions inside a word where a `(` may be missing: after the name of a function or type.
@@ -200,4 +186,12 @@ impl FaultyShader<'_> {
         let called = ends.filter(|&i| text.get(..i).is_some_and(is_called));
         called.map(|i| word.start + i as u32).collect()
     }
+}
+
+/// Removes a bracket without a counterpart.
+fn removed(d: &Definition, span: Span, symbol: &str) -> RepairCandidate {
+    let name = d.name;
+    let message = format!("unmatched `{symbol}` in the definition of macro `{name}`");
+    let fix = Fix::suggestion(format!("remove `{symbol}`"), vec![Edit::delete(span)]);
+    d.candidate(d.faulty(span, message), fix)
 }

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::target::{Res, Value};
 use super::texture::CoordinateShape;
 use super::types::Sink;
-use ::naga::{BinaryOperator as Op, Expression, ImageQuery, Literal, MathFunction};
+use ::naga::{BinaryOperator as Op, Expression, ImageQuery, MathFunction};
 use shaderlint_ir::{Lanes, OpId};
 use shaderlint_semantic::builtins::{Level, Lookup};
 use shaderlint_semantic::{Sampler, Scalar, Type};
@@ -81,13 +81,6 @@ impl Body<'_, '_> {
     fn nearest_layer(&mut self, image: Value, layer: Value) -> Res<Value> {
         let nearest = self.math(MathFunction::Round, &[layer]);
         let nearest = self.convert(nearest, Scalar::Int);
-        let query = ImageQuery::NumLayers;
-        let layers = self.add(Expression::ImageQuery { image, query });
-        let layers = self.convert(layers, Scalar::Int);
-        let one = self.add(Expression::Literal(Literal::I32(1)));
-        let last = self.op(Op::Subtract, layers, one);
-        let first = self.zero(Type::INT)?;
-        let layer = self.math(MathFunction::Max, &[nearest, first]);
-        Ok(self.math(MathFunction::Min, &[layer, last]))
+        self.within(image, nearest, ImageQuery::NumLayers)
     }
 }

@@ -154,14 +154,18 @@ impl Body<'_, '_> {
 
     /// Clamps a level to those of a texture, as in WebGL.
     pub(super) fn nearest_level(&mut self, image: Value, level: Value) -> Res<Value> {
-        let query = ImageQuery::NumLevels;
-        let levels = self.add(Expression::ImageQuery { image, query });
-        let levels = self.convert(levels, Scalar::Int);
+        self.within(image, level, ImageQuery::NumLevels)
+    }
+
+    /// Clamps a number to those from 0 to a count of a texture, exclusive.
+    pub(super) fn within(&mut self, image: Value, number: Value, query: ImageQuery) -> Res<Value> {
+        let count = self.add(Expression::ImageQuery { image, query });
+        let count = self.convert(count, Scalar::Int);
         let one = self.add(Expression::Literal(Literal::I32(1)));
-        let last = self.op(Op::Subtract, levels, one);
+        let last = self.op(Op::Subtract, count, one);
         let first = self.zero(Type::INT)?;
-        let level = self.math(MathFunction::Max, &[level, first]);
-        Ok(self.math(MathFunction::Min, &[level, last]))
+        let number = self.math(MathFunction::Max, &[number, first]);
+        Ok(self.math(MathFunction::Min, &[number, last]))
     }
 
     /// Returns a texel if the coordinates are in range.

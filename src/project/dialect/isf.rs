@@ -615,7 +615,6 @@ mod tests {
     }
     use crate::Project;
     use crate::dialect::recognise;
-    use shaderlint_semantic::Pass;
 
     #[test]
     fn vertex_shaders_without_a_fragment_shader_name_the_missing_file() {
@@ -654,18 +653,12 @@ mod tests {
             {"NAME": "sound", "TYPE": "audioFFT"}, {"NAME": "i", "TYPE": "image"}]}*/
             void main() { gl_FragColor = IMG_NORM_PIXEL(i, p) + IMG_PIXEL(sound, vec2(a)); }"#,
         );
-        let message: Vec<String> = project
-            .controls
-            .iter()
-            .map(|c| {
-                format!(
-                    "{} {:?} {:?} {:?} {:?}",
-                    c.name, c.kind, c.min, c.value, c.max
-                )
-            })
-            .collect();
+        let controls = project.controls.iter().map(|c| {
+            let range = format!("{:?} {:?} {:?}", c.min, c.value, c.max);
+            format!("{} {:?} {range}", c.name, c.kind)
+        });
         assert_eq!(
-            message,
+            controls.collect::<Vec<_>>(),
             [
                 "a Float [-1.0] [1.0] [3.0]",
                 "b Choice [0.0] [9.0] [10.0]",
@@ -674,15 +667,10 @@ mod tests {
                 "p Point [0.0, 0.0] [2.0, 0.5] [2.0, 1.0]",
             ]
         );
-        let inputs = &project.passes[0].inputs;
-        let message: Vec<_> = inputs.iter().map(|i| (i.kind, i.signal)).collect();
-        assert_eq!(
-            message,
-            [
-                (InputKind::Music, SignalForm::Spectrum),
-                (InputKind::Texture, SignalForm::Both)
-            ]
-        );
+        let inputs = project.passes[0].inputs.iter();
+        let inputs = inputs.map(|i| format!("{:?} {:?}", i.kind, i.signal));
+        let expected = ["Music Spectrum", "Texture Both"];
+        assert_eq!(inputs.collect::<Vec<_>>(), expected);
         assert_eq!(project.notes.len(), 2, "{:?}", project.notes);
     }
 
@@ -693,26 +681,16 @@ mod tests {
             {"TARGET": "b", "PERSISTENT": true}]}*/
             void main() { gl_FragColor = IMG_THIS_PIXEL(a) + IMG_THIS_PIXEL(b) + float(PASSINDEX); }"#,
         );
-        let message: Vec<_> = project
-            .passes
-            .iter()
-            .map(|p| {
-                (
-                    p.name.as_str(),
-                    p.kind,
-                    p.draw.size.is_some(),
-                    p.draw.is_float,
-                )
-            })
-            .collect();
-        assert_eq!(
-            message,
-            [
-                ("a", Pass::Buffer, true, true),
-                ("b", Pass::Buffer, false, false),
-                ("Image", Pass::Image, false, false)
-            ]
-        );
+        let passes = project.passes.iter().map(|p| {
+            let (has_size, is_float) = (p.draw.size.is_some(), p.draw.is_float);
+            format!("{} {:?} {has_size} {is_float}", p.name, p.kind)
+        });
+        let expected = [
+            "a Buffer true true",
+            "b Buffer false false",
+            "Image Image false false",
+        ];
+        assert_eq!(passes.collect::<Vec<_>>(), expected);
         assert!(project.passes[1].before.contains("#define PASSINDEX 2"));
     }
 }

@@ -179,10 +179,7 @@ impl PlannedPass {
             kind: Pass::Buffer,
             name: name.to_string(),
             output: OutputId::of_dialect(name),
-            candidates,
-            inputs: Vec::new(),
-            is_of_text: true,
-            pieces: Vec::new(),
+            ..PlannedPass::image(candidates)
         }
     }
 
@@ -191,13 +188,10 @@ impl PlannedPass {
         let code = "precision highp float;\nuniform sampler2D port_buffer;\nuniform vec2 resolution;\n\
             void main() {\n    gl_FragColor = texture2D(port_buffer, gl_FragCoord.xy / resolution);\n}\n";
         PlannedPass {
-            kind: Pass::Image,
             name: "Image".to_string(),
-            output: OutputId(OutputId::IMAGE.to_string()),
-            candidates: vec![Completion::bare(code)],
             inputs: vec![read_buffer("port_buffer", name)],
             is_of_text: false,
-            pieces: Vec::new(),
+            ..PlannedPass::image(vec![Completion::bare(code)])
         }
     }
 }

@@ -297,10 +297,8 @@ mod tests {
         let three = ["sea-0", "sea-1", "sea-2", "sea-c"];
         let expected = ["buffer_a", "buffer_b", "image", "common"];
         assert_eq!(roles(&three), Some(expected.to_vec()));
-        assert_eq!(
-            roles(&["sea3-1", "sea3-0"]),
-            Some(vec!["image", "buffer_a"])
-        );
+        let reversed = roles(&["sea3-1", "sea3-0"]);
+        assert_eq!(reversed, Some(vec!["image", "buffer_a"]));
         assert_eq!(roles(&["sea-0", "sea-c"]), Some(vec!["image", "common"]));
         for other in [
             &["sea-0"][..],

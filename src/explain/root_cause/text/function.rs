@@ -17,34 +17,28 @@ struct InferredHeader {
 
 impl FaultyShader<'_> {
     pub(super) fn functions(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        self.function_word(line, all);
-        if let Some(equal) = (0..line.tokens.len()).find(|&at| line.is(at, TokenKind::Equal)) {
-            self.lambda(line, equal, all);
-        }
+        all.extend(self.function_word(line).into_iter().flatten());
+        all.extend(self.lambda(line).into_iter().flatten());
     }
 
     /// `function wave(x) {`
-    fn function_word(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
+    fn function_word(&self, line: &FaultyLine) -> Option<Vec<RepairCandidate>> {
         let word = line.token(0);
         let is_plain = |class| matches!(class, WordClass::Plain | WordClass::Reserved);
         let is_header = line.kind(0) == Some(RawKind::Word)
             && is_plain(classify(word, self.program.version))
             && line.kind(1) == Some(RawKind::Word)
             && line.is(2, TokenKind::LeftParen);
-        let Some(after) = line.after(2).filter(|_| is_header) else {
-            return;
-        };
+        let after = line.after(2).filter(|_| is_header)?;
         // `float3 f()` is about the type.
-        let mut own = self
-            .errors
-            .iter()
-            .filter(|d| d.span.start == line.span(0).start);
+        let start = line.span(0).start;
+        let mut own = self.errors.iter().filter(|d| d.span.start == start);
         if own.any(|d| d.is(error::UNKNOWN_TYPE) && d.fix.is_some()) {
-            return;
+            return None;
         }
         let is_open = line.is(after, TokenKind::LeftBrace) || after == line.tokens.len();
         if !is_open || self.function_around(line.start).is_some() {
-            return;
+            return None;
         }
         let name = line.token(1);
         let span = line.span(0);
@@ -54,33 +48,27 @@ impl FaultyShader<'_> {
             Some(entry) => vec![entry_header(line, 3..after - 1, entry.signature)],
             None => headers(line, 3..after - 1),
         };
-        for header in headers {
+        let candidates = headers.into_iter().map(|header| {
             let text = format!("{} {name}({})", header.result, header.parameters);
             let edits = vec![Edit::replace(span.to(line.span(after - 1)), text.clone())];
             let message = format!("expected a return type, found `{word}`");
-            all.push(foreign(span, message, format!("use `{text}`"), edits));
-        }
+            foreign(span, message, format!("use `{text}`"), edits)
+        });
+        Some(candidates.collect())
     }
 
     /// `auto wave = [](float x) { return sin(x); };`, `const wave = (x) => sin(x);`
-    fn lambda(&self, line: &FaultyLine, equal: usize, all: &mut Vec<RepairCandidate>) {
-        let Some(name) = equal
-            .checked_sub(1)
-            .filter(|&at| line.kind(at) == Some(RawKind::Word))
-        else {
-            return;
-        };
+    fn lambda(&self, line: &FaultyLine) -> Option<Vec<RepairCandidate>> {
+        let equal = (0..line.tokens.len()).find(|&at| line.is(at, TokenKind::Equal))?;
+        let name = equal.checked_sub(1);
+        let name = name.filter(|&at| line.kind(at) == Some(RawKind::Word))?;
         let is_lambda = line.is(equal + 1, TokenKind::LeftBracket);
         let captures = match is_lambda {
             true => line.after(equal + 1),
             false => Some(equal + 1),
         };
-        let Some(open) = captures.filter(|&at| line.is(at, TokenKind::LeftParen)) else {
-            return;
-        };
-        let Some(after) = line.after(open) else {
-            return;
-        };
+        let open = captures.filter(|&at| line.is(at, TokenKind::LeftParen))?;
+        let after = line.after(open)?;
         let is_arrow = |at: usize, kind| line.is(at, kind) && line.is(at + 1, TokenKind::Greater);
         let body = match (is_lambda, is_arrow(after, TokenKind::Equal)) {
             (true, false) => {
@@ -90,16 +78,13 @@ impl FaultyShader<'_> {
             _ => None,
         };
         let starts = |&at: &usize| line.starts_statement(at);
-        let (Some(body), Some(first)) = (body, (0..=name).rev().find(starts)) else {
-            return;
-        };
-        let Some((body, last)) = lambda_body(line, body) else {
-            return;
-        };
+        let first = (0..=name).rev().find(starts)?;
+        let (body, last) = lambda_body(line, body?)?;
         let name = line.token(name);
         let statement = line.span(first).to(line.span(last));
         let place = self.function_around(line.start);
-        for header in headers(line, open + 1..after - 1) {
+        let headers = headers(line, open + 1..after - 1).into_iter();
+        let candidates = headers.map(|header| {
             let text = format!("{} {name}({}) {body}", header.result, header.parameters);
             let edits = match place {
                 Some(start) => vec![
@@ -110,8 +95,9 @@ impl FaultyShader<'_> {
             };
             let title = format!("declare the function `{} {name}`", header.result);
             let message = "GLSL has no functions as values";
-            all.push(foreign(line.span(equal + 1), message, title, edits));
-        }
+            foreign(line.span(equal + 1), message, title, edits)
+        });
+        Some(candidates.collect())
     }
 }
 
