@@ -2,17 +2,10 @@
 //!
 //! Multiplications and additions are never fused, so that results are identical on all machines.
 
+use super::lanes::lane_helpers;
 use fearless_simd::{f32x8, f64x8, prelude::*, u64x8};
 
-/// Adding and subtracting it rounds a double to the nearest integer; the low bits of the sum are
-/// that integer.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
-
-/// The same number in every lane, for the instructions of another vector.
-#[inline(always)]
-pub(super) fn number<S: Simd>(of: f64x8<S>, number: f64) -> f64x8<S> {
-    f64x8::splat(of.token(), number)
-}
+lane_helpers!(f64x8, u64x8, f64, 6_755_399_441_055_744.0);
 
 /// Converts floats to doubles.
 #[inline(always)]
@@ -26,24 +19,6 @@ pub(super) fn widen<S: Simd>(x: f32x8<S>) -> f64x8<S> {
 pub(super) fn narrow<S: Simd>(x: f64x8<S>) -> f32x8<S> {
     let (low, high) = x.split();
     low.narrow(high)
-}
-
-/// Rounds to the nearest integer, for magnitudes below 2^51. Also returns a number whose low bits
-/// are that integer in two's complement.
-#[inline(always)]
-pub(super) fn round<S: Simd>(x: f64x8<S>) -> (f64x8<S>, u64x8<S>) {
-    let sum = x + ROUNDER;
-    (sum - ROUNDER, sum.bitcast())
-}
-
-/// `c[0] + c[1] * x + c[2] * x * x ...`
-#[inline(always)]
-pub(super) fn polynomial<S: Simd, const N: usize>(x: f64x8<S>, coefficients: [f64; N]) -> f64x8<S> {
-    let mut sum = number(x, 0.0);
-    for (at, c) in coefficients.into_iter().rev().enumerate() {
-        sum = if at == 0 { number(x, c) } else { sum * x + c };
-    }
-    sum
 }
 
 /// `2^x`. Beyond the range of floats, any number that overflows or underflows a float.

@@ -9,6 +9,7 @@ mod double;
 mod exponential;
 mod hash;
 mod integer;
+mod lanes;
 mod large;
 mod level;
 mod packing;

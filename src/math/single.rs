@@ -2,38 +2,13 @@
 //!
 //! Multiplications and additions are never fused, so that results are identical on all machines.
 
+use super::lanes::lane_helpers;
 use fearless_simd::{f32x8, i32x8, prelude::*, u32x8};
-
-/// Adding and subtracting it rounds a float to the nearest integer; the low bits of the sum are
-/// that integer.
-const ROUNDER: f32 = 12_582_912.0;
 
 /// The bit of the sign.
 const SIGN: u32 = 1 << 31;
 
-/// The same number in every lane, for the instructions of another vector.
-#[inline(always)]
-pub(super) fn number<S: Simd>(of: f32x8<S>, number: f32) -> f32x8<S> {
-    f32x8::splat(of.token(), number)
-}
-
-/// Rounds to the nearest integer, for magnitudes below 2^21. Also returns a number whose low bits
-/// are that integer in two's complement.
-#[inline(always)]
-pub(super) fn round<S: Simd>(x: f32x8<S>) -> (f32x8<S>, u32x8<S>) {
-    let sum = x + ROUNDER;
-    (sum - ROUNDER, sum.bitcast())
-}
-
-/// `c[0] + c[1] * x + c[2] * x * x ...`
-#[inline(always)]
-pub(super) fn polynomial<S: Simd, const N: usize>(x: f32x8<S>, coefficients: [f32; N]) -> f32x8<S> {
-    let mut sum = number(x, 0.0);
-    for (at, c) in coefficients.into_iter().rev().enumerate() {
-        sum = if at == 0 { number(x, c) } else { sum * x + c };
-    }
-    sum
-}
+lane_helpers!(f32x8, u32x8, f32, 12_582_912.0);
 
 /// `x * 2^n` for `n` from -252 to 254, in the low bits as returned by [`round`].
 #[inline(always)]

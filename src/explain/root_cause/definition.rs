@@ -43,10 +43,7 @@ impl FaultyShader<'_> {
     pub(super) fn definitions(&self) -> Vec<RepairCandidate> {
         let mut all = Vec::new();
         let suspects = self.suspects();
-        for &id in &suspects {
-            let Some(d) = self.definition(id) else {
-                continue;
-            };
+        for d in suspects.iter().filter_map(|id| self.definition(*id)) {
             self.equals_and_semicolon(&d, &mut all);
             all.extend(self.blank_before_params(&d));
             all.extend(self.returned(&d));
@@ -56,10 +53,7 @@ impl FaultyShader<'_> {
             self.empty_body(&d, &mut all);
         }
         self.lost_continuations(&mut all);
-        for &id in &suspects {
-            let Some(d) = self.definition(id) else {
-                continue;
-            };
+        for d in suspects.iter().filter_map(|id| self.definition(*id)) {
             self.literals(&d, &mut all);
             self.misspelled_params(&d, &mut all);
         }

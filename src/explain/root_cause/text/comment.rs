@@ -13,24 +13,17 @@ const SENTENCE: usize = 3;
 
 impl FaultyShader<'_> {
     pub(super) fn comments(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        self.unterminated(line, all);
+        all.extend(self.unterminated(line).into_iter().flatten());
         all.extend(self.lost_start(line));
         all.extend(self.stray_end(line));
         self.lost_slashes(line, all);
     }
 
     /// `/* ...` up to the end of the file: the comment may end with its line or paragraph.
-    fn unterminated(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
-        let mut found = self
-            .errors
-            .iter()
-            .filter(|d| d.is(error::UNTERMINATED_COMMENT));
-        let Some(d) = found.find(|d| line.errors.contains(&d.span)) else {
-            return;
-        };
-        let Some(code) = self.program.sources.code_at(line.start) else {
-            return;
-        };
+    fn unterminated(&self, line: &FaultyLine) -> Option<Vec<RepairCandidate>> {
+        let mut found = self.errors.iter().filter(|d| line.errors.contains(&d.span));
+        let d = found.find(|d| d.is(error::UNTERMINATED_COMMENT))?;
+        let code = self.program.sources.code_at(line.start)?;
         let rest = code.text.get((d.span.start - code.base) as usize..);
         let mut ends: Vec<u32> = Vec::new();
         let mut at = d.span.start;
@@ -55,11 +48,12 @@ impl FaultyShader<'_> {
             }
             at += text.len() as u32;
         }
-        for end in ends {
-            let edits = vec![Edit::insert(end, " */")];
-            let fix = Fix::suggestion("add `*/`", edits);
-            all.push(RepairCandidate::of_error(d, fix));
-        }
+        let fix = |end| Fix::suggestion("add `*/`", vec![Edit::insert(end, " */")]);
+        let ends = ends.into_iter();
+        Some(
+            ends.map(|end| RepairCandidate::of_error(d, fix(end)))
+                .collect(),
+        )
     }
 
     /// A comment that ends with `*/` and starts without `/*`.
