@@ -205,24 +205,15 @@ mod tests {
     fn sent_files_are_used_until_they_are_opened() {
         let file = |text: Option<&str>| json!({ "uri": "file:///a/common.glsl", "text": text });
         let mut server = start(&json!({ "files": [file(Some(COMMON))] }));
-        assert_eq!(
-            open(&mut server, "a/image.glsl", IMAGE),
-            [of("a/image.glsl", &[])]
-        );
+        let found = open(&mut server, "a/image.glsl", IMAGE);
+        assert_eq!(found, [of("a/image.glsl", &[])]);
         let mut put = |text| send(&mut server, FILES, json!({ "files": [file(text)] }));
         let wrong = COMMON.replace("vec2 p", "float p");
-        assert_eq!(
-            put(Some(&wrong)),
-            [of(
-                "a/image.glsl",
-                &["constructor-arguments", "vector-size"]
-            )]
-        );
+        let expected = ["constructor-arguments", "vector-size"];
+        assert_eq!(put(Some(&wrong)), [of("a/image.glsl", &expected)]);
         assert_eq!(put(None), [of("a/image.glsl", &["undeclared-name"])]);
-        assert_eq!(
-            open(&mut server, "a/common.glsl", COMMON),
-            [of("a/common.glsl", &[]), of("a/image.glsl", &[])]
-        );
+        let both = open(&mut server, "a/common.glsl", COMMON);
+        assert_eq!(both, [of("a/common.glsl", &[]), of("a/image.glsl", &[])]);
         // The open document counts.
         let file = json!({ "files": [file(Some(&wrong))] });
         let sent = send(&mut server, FILES, file);
@@ -235,10 +226,8 @@ mod tests {
         let config =
             |text: &str| json!({ "files": [{ "uri": "file:///a/shaderlint.toml", "text": text }] });
         let mut server = start(&config("exclude = [\"image.glsl\"]"));
-        assert_eq!(
-            open(&mut server, "a/image.glsl", IMAGE),
-            [of("a/image.glsl", &[])]
-        );
+        let found = open(&mut server, "a/image.glsl", IMAGE);
+        assert_eq!(found, [of("a/image.glsl", &[])]);
         let image = of("a/image.glsl", &["undeclared-name"]);
         let changed = send(&mut server, FILES, config("exclude = [\"other.glsl\"]"));
         assert_eq!(changed, std::slice::from_ref(&image));
@@ -248,10 +237,8 @@ mod tests {
     fn open_documents_are_the_passes_of_a_folder() {
         let mut server = start(&json!({}));
         let unknown = of("image.glsl", &["undeclared-name"]);
-        assert_eq!(
-            open(&mut server, "image.glsl", IMAGE),
-            std::slice::from_ref(&unknown)
-        );
+        let found = open(&mut server, "image.glsl", IMAGE);
+        assert_eq!(found, std::slice::from_ref(&unknown));
         let both = open(&mut server, "common.glsl", COMMON);
         assert_eq!(both, [of("common.glsl", &[]), of("image.glsl", &[])]);
         let change = json!({

@@ -458,11 +458,8 @@ mod tests {
     fn as_many_fixes_as_possible_are_applied() {
         let check = |text, look: fn(&str) -> Option<Look>, expected: &str, count| {
             let fixed = fix(text, Allow::Safe, look, without_images);
-            assert_eq!(
-                (&*fixed.text, fixed.applied.len()),
-                (expected, count),
-                "{text}"
-            );
+            let found = (&*fixed.text, fixed.applied.len());
+            assert_eq!(found, (expected, count), "{text}");
         };
         check("a.a.a", look, "b.b.b", 3);
         // Fixes that add findings are not kept, and do not prevent others.
@@ -564,11 +561,9 @@ mod tests {
 
     #[test]
     fn fixes_may_uncover_findings() {
-        assert_eq!(fix("acc", Allow::Safe, hiding, without_images).text, "bcc");
-        assert_eq!(
-            fix("ddacc", Allow::Safe, hiding, without_images).text,
-            "ddacc"
-        );
+        let fixed = |text| fix(text, Allow::Safe, hiding, without_images).text;
+        assert_eq!(fixed("acc"), "bcc");
+        assert_eq!(fixed("ddacc"), "ddacc");
     }
 
     /// `a` is an error with the fix `b`, which fails before another `b`.
@@ -626,10 +621,8 @@ mod tests {
             }
             Some(look)
         };
-        assert_eq!(fix("a", Allow::Safe, unsafe_look, without_images).text, "a");
-        assert_eq!(
-            fix("a", Allow::Unsafe, unsafe_look, without_images).text,
-            "b"
-        );
+        let fixed = |allow| fix("a", allow, unsafe_look, without_images).text;
+        assert_eq!(fixed(Allow::Safe), "a");
+        assert_eq!(fixed(Allow::Unsafe), "b");
     }
 }
