@@ -9,7 +9,9 @@ use super::problem::Problems;
 use super::program::Program;
 use super::unit::Unit;
 use shaderlint_diagnostic::Diagnostic;
-use shaderlint_syntax::{ParseOptions, Preprocessed, Search, parse, preprocess};
+use shaderlint_syntax::{
+    EXTENSIONS, GlContext, ParseOptions, Preprocessed, Search, parse, preprocess,
+};
 use shaderlint_text::{FileId, Role, Sources};
 use std::sync::Arc;
 
@@ -114,14 +116,22 @@ pub fn with_prelude(dialect: Dialect, code: impl Into<String>) -> (Arc<Sources>,
 /// the messages.
 ///
 /// The code is a fragment shader of GLSL ES 3.00, unless it starts with another stage: `vertex:`,
-/// `fragment 100:`, `vertex 100:`, or `image:` for a pass of ShaderToy.
+/// `fragment 100:`, `vertex 100:`, or `image:` for a pass of ShaderToy. `extended:` and `extended vertex:` turn on
+/// all extensions of WebGL2.
 pub fn check_row(row: &str) -> (CheckedShader, &str) {
     const HEAD: &str = "#version 300 es\n";
     const PRECISION: &str = "precision highp float;\n";
+    const ALL: &str = "#extension all : warn\n";
     let (written, expected) = row.rsplit_once(" => ").unwrap_or((row, ""));
     let (stage, code) = written.split_once(": ").unwrap_or(("", written));
     let (stage, dialect, text) = match stage {
         "vertex" => (Stage::Vertex, Dialect::WebGl, format!("{HEAD}{code}")),
+        "extended vertex" => (Stage::Vertex, Dialect::WebGl, format!("{HEAD}{ALL}{code}")),
+        "extended" => (
+            Stage::Fragment,
+            Dialect::WebGl,
+            format!("{HEAD}{ALL}{PRECISION}{code}"),
+        ),
         "vertex 100" => (Stage::Vertex, Dialect::WebGl, code.to_string()),
         "fragment 100" => (
             Stage::Fragment,
@@ -139,9 +149,16 @@ pub fn check_row(row: &str) -> (CheckedShader, &str) {
             format!("{HEAD}{PRECISION}{written}"),
         ),
     };
+    let is_extended = text.contains(ALL);
+    let all = EXTENSIONS.iter().map(|facts| facts.extension);
+    let context = GlContext {
+        enabled: all.filter(|_| is_extended).collect(),
+        ..GlContext::WEBGL2
+    };
     let (sources, files) = with_prelude(dialect, text);
     let unit = Unit {
         dialect,
+        context,
         ..Unit::complete(&sources, &files, stage)
     };
     (check_shader(&unit, &mut Search::for_text()), expected)
