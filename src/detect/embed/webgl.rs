@@ -27,8 +27,9 @@ impl AskedWebGl {
         if !text.contains("getContext") && !text.contains("xtension") {
             return found;
         }
+        let whole = 0..text.len();
         let parts = match language {
-            DocumentLanguage::Script => vec![0..text.len()],
+            DocumentLanguage::Script => std::iter::once(whole).collect(),
             _ => html::scripts(text),
         };
         let mut calls = ContextCalls::default();

@@ -36,11 +36,11 @@ pub fn context(
     let has = |name: &&str| code.contains(*name);
     let named = EXTENSIONS
         .iter()
-        .filter(|facts| facts.directives.iter().any(|d| has(&d)));
+        .filter(|facts| facts.directives.iter().any(has));
     let asked: Extensions = named.clone().map(|facts| facts.extension).collect();
     let is_concerned = || {
         let mut names = EXTENSIONS.iter().flat_map(|facts| facts.adds);
-        asked != Extensions::NONE || names.any(|name| has(&name))
+        asked != Extensions::NONE || names.any(|name| has(name))
     };
     let mut known = of_options(options).or(of_presets(presets));
     if known.webgl.is_none() || !known.is_all {
