@@ -40,7 +40,7 @@ pub fn context(
     let asked: Extensions = named.clone().map(|facts| facts.extension).collect();
     let is_concerned = || {
         let mut names = EXTENSIONS.iter().flat_map(|facts| facts.adds);
-        asked != Extensions::NONE || names.any(|name| has(name))
+        asked != Extensions::NONE || names.any(has)
     };
     let mut known = of_options(options).or(of_presets(presets));
     if known.webgl.is_none() || !known.is_all {

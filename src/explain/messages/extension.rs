@@ -59,7 +59,7 @@ impl ExplainContext<'_> {
     fn how_to_enable(&self, facts: &ExtensionFacts) -> String {
         let call = format!("call `gl.getExtension('{}')`", facts.name);
         let named = |name: &&str| self.names.get(name).is_some();
-        match facts.directives.iter().any(|name| named(name)) {
+        match facts.directives.iter().any(named) {
             true => format!("{call} before the shader is compiled"),
             false => format!("{call} and add `{}`", self.directive_for(facts)),
         }
