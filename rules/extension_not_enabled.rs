@@ -9,10 +9,12 @@ rule! { extension_not_enabled, Webgl2, Warning, Recommended, Program(check) }
 
 fn check(cx: &mut Context) {
     let program = cx.program;
-    let presumed = EXTENSIONS
-        .iter()
-        .filter(|facts| program.context.presumed.contains(facts.extension));
-    for facts in presumed {
+    let context = program.context;
+    let is_presumed = |facts: &&ExtensionFacts| {
+        let extension = facts.extension;
+        context.presumed.contains(extension) && context.has(extension, program.version)
+    };
+    for facts in EXTENSIONS.iter().filter(is_presumed) {
         let Some((span, what)) = first_use(program, facts) else {
             continue;
         };

@@ -514,6 +514,14 @@ fn the_context_of_a_page_decides_on_extensions() {
 }
 
 #[test]
+fn extensions_of_webgl1_are_not_required_in_glsl_es_300() {
+    let shader = "#version 300 es\n#extension GL_OES_standard_derivatives : enable\nprecision highp float;\n\
+        in vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(fwidth(uv), 0.0, 1.0); }\n";
+    let warning = "a.frag:2:1: warning[legacy-extension]: extension `GL_OES_standard_derivatives` does not exist in WebGL2";
+    check(&[("a.frag", shader)], &[warning]);
+}
+
+#[test]
 fn a_default_precision_of_the_script_is_not_missing() {
     let script = "const head = 'precision highp float;';\nconst gl = make(head);";
     let shader = "uniform float x;\nvoid main() { gl_FragColor = vec4(x); }\n";
