@@ -21,6 +21,12 @@ pub struct AskedWebGl {
 }
 
 impl AskedWebGl {
+    /// Whether a page or script may ask for WebGL1 and not for WebGL2, without reading it.
+    pub fn may_be_only_one(text: &str) -> bool {
+        let names = ["\"webgl\"", "'webgl'", "`webgl`", "experimental-webgl"];
+        names.iter().any(|name| text.contains(name)) && !text.contains("webgl2")
+    }
+
     /// Reads a page or script.
     pub fn of(language: DocumentLanguage, text: &str) -> AskedWebGl {
         let mut found = AskedWebGl::default();

@@ -31,10 +31,12 @@ fn of_other_releases(shader: &ShaderCheck) -> Option<Vec<Diagnostic>> {
         // A script that knows both names, or asks for the release, has a text for each.
         let is_known = |word: &str| hosts.is_in_script(word, 0);
         let is_open = other.is_some_and(is_known) || is_known(library.asked);
-        if is_open || hosts.adds_chunk(library, name) {
+        // An info is not worth reading the repository.
+        let is_anywhere = d.severity != Severity::Info;
+        if is_open || hosts.adds_chunk(library, name, is_anywhere) {
             return None;
         }
-        if hosts.adds_chunk(library, "*") {
+        if hosts.adds_chunk(library, "*", is_anywhere) {
             d.severity = d.severity.min(Severity::Warning);
         }
         Some(d)

@@ -127,12 +127,13 @@ impl<'a> Hosts<'a> {
         })
     }
 
-    /// Whether the program adds a chunk to a library; `*` is one that it does not name.
-    pub fn adds_chunk(&self, library: &ChunkLibrary, chunk: &str) -> bool {
+    /// Whether the script adds a chunk to a library, or another file of the program if that is asked for; `*`
+    /// is one that it does not name.
+    pub fn adds_chunk(&self, library: &ChunkLibrary, chunk: &str, is_anywhere: bool) -> bool {
         let member = library.member(chunk);
         let script = self.script.as_ref();
         script.is_some_and(|text| library.added_in(text).contains(&member))
-            || self.is_used_outside(&member, 0)
+            || is_anywhere && self.is_used_outside(&member, 0)
     }
 
     /// The path of the file.
@@ -157,10 +158,14 @@ impl<'a> Hosts<'a> {
         }
     }
 
-    /// What the scripts around the texts ask WebGL for. Those that import the file are read only if that is
-    /// wanted.
-    pub fn asked_webgl(&self, reads_importers: impl Fn() -> bool) -> Option<&AskedWebGl> {
-        if self.script.is_none() && !(reads_importers() && self.is_imported()) {
+    /// What the scripts around the texts ask WebGL for. They are read only for shaders that an extension
+    /// concerns, or if they may ask for WebGL1 alone.
+    pub fn asked_webgl(&self, is_concerned: impl Fn() -> bool) -> Option<&AskedWebGl> {
+        let is_wanted = match &self.script {
+            Some(text) => AskedWebGl::may_be_only_one(text) || is_concerned(),
+            None => is_concerned() && self.is_imported(),
+        };
+        if !is_wanted {
             return None;
         }
         Some(self.asked_webgl.get_or_init(|| {
