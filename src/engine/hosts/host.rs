@@ -161,11 +161,11 @@ impl<'a> Hosts<'a> {
     /// What the scripts around the texts ask WebGL for. They are read only for shaders that an extension
     /// concerns, or if they may ask for WebGL1 alone.
     pub fn asked_webgl(&self, is_concerned: impl Fn() -> bool) -> Option<&AskedWebGl> {
-        let is_wanted = match &self.script {
+        let is_needed = match &self.script {
             Some(text) => AskedWebGl::may_be_only_one(text) || is_concerned(),
             None => is_concerned() && self.is_imported(),
         };
-        if !is_wanted {
+        if !is_needed {
             return None;
         }
         Some(self.asked_webgl.get_or_init(|| {
