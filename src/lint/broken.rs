@@ -143,14 +143,19 @@ impl<'a> Broken<'a> {
         is_clear
     }
 
-    /// Whether a span touches an item with errors.
+    /// Whether a span touches an item with errors, or a statement with unknown names.
     fn touches(&self, span: Span) -> bool {
+        let after = self.unknown.partition_point(|s| s.end < span.start);
+        let next = self.unknown.get(after);
+        self.touches_item(span) || next.is_some_and(|s| s.start <= span.end)
+    }
+
+    /// Whether a span touches an item with errors.
+    fn touches_item(&self, span: Span) -> bool {
         let from = self.items.partition_point(|(s, _)| s.end < span.start);
         let inside = self.items.iter().skip(from);
         let mut inside = inside.take_while(|(s, _)| s.start <= span.end);
-        let after = self.unknown.partition_point(|s| s.end < span.start);
-        let next = self.unknown.get(after);
-        inside.any(|(_, is_broken)| *is_broken) || next.is_some_and(|s| s.start <= span.end)
+        inside.any(|(_, is_broken)| *is_broken)
     }
 
     /// The index of the item at an address.
@@ -334,10 +339,8 @@ impl<'a> Broken<'a> {
         };
         let is_suspect = |f: &Function| extent(f).is_some_and(|span| self.touches(span));
         let mut suspect: Vec<bool> = program.functions.iter().map(is_suspect).collect();
-        let unknown = std::mem::take(&mut self.unknown);
-        let is_broken = |f: &Function| extent(f).is_some_and(|span| self.touches(span));
+        let is_broken = |f: &Function| extent(f).is_some_and(|span| self.touches_item(span));
         self.functions = program.functions.iter().map(is_broken).collect();
-        self.unknown = unknown;
         let calls = CallGraph::of(program);
         let all = (0..).map(FunctionRef).zip(&suspect);
         let mut todo: Vec<FunctionRef> = all.filter(|(_, is)| **is).map(|(f, _)| f).collect();

@@ -3,10 +3,10 @@
 
 use super::host::Hosts;
 use crate::options::{DialectChoice, Options};
-use crate::shader::reading::{Readings, code_of};
+use crate::shader::reading::Readings;
 use shaderlint_host::Preset;
 use shaderlint_syntax::{EXTENSIONS, Extensions, GlContext, GlExtension, WebGl};
-use shaderlint_text::Sources;
+use shaderlint_text::{Role, Sources};
 
 /// What is known about a context apart from the shader.
 #[derive(Clone, Copy, Default)]
@@ -32,8 +32,12 @@ pub fn context(
         return GlContext::WEBGL2;
     }
     let files = readings.all.first().map_or(&[][..], |r| &r.files);
-    let code = code_of(sources, files);
-    let has = |name: &&str| code.contains(*name);
+    let codes = files.iter().filter_map(|id| sources.code(*id));
+    let own: Vec<&str> = codes
+        .filter(|code| code.role == Role::User)
+        .map(|code| code.text)
+        .collect();
+    let has = |name: &&str| own.iter().any(|text| text.contains(*name));
     let named = EXTENSIONS
         .iter()
         .filter(|facts| facts.directives.iter().any(has));
