@@ -36,7 +36,8 @@ def bundled():
         with open(SOURCES / "package.json", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             if not (SOURCES / "node_modules/.package-lock.json").is_file():
-                subprocess.run(["npm", "ci", "--silent", "--no-audit", "--no-fund"], cwd=SOURCES, check=True)
+                install = '. "$0" && patiently npm ci --loglevel=error --no-audit --no-fund >&2'
+                subprocess.run(["bash", "-c", install, ROOT / "tests/need"], cwd=SOURCES, check=True)
         subprocess.run(["node", "build.mjs", folder], cwd=SOURCES, check=True)
         yield Path(folder)
 
