@@ -1,5 +1,6 @@
 //! Outputs that a function does not write.
 
+use crate::uninitialized_read::name_of;
 use shaderlint_flow::PartMask;
 use shaderlint_lint::Context;
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
@@ -39,23 +40,18 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let Some(variable) = program.variable(unset.variable).filter(|_| missing != 0) else {
             continue;
         };
-        let name = program.names.text(variable.name);
-        let letters = ["x", "y", "z", "w"].iter().enumerate();
-        let parts: String = letters
-            .filter(|(i, _)| missing & 1 << i != 0)
-            .map(|(_, l)| *l)
-            .collect();
-        let is_part = variable.ty.is_vector() && parts.len() < variable.ty.components() as usize;
-        let what = if is_part {
-            format!("{name}.{parts}")
-        } else {
-            name.to_string()
-        };
+        let what = name_of(cx, unset.variable, missing);
         let message = match unset.always {
             true => format!("output `{what}` is never written"),
             false => format!("output `{what}` is not written on every path"),
         };
         let declared = program.declared_at(variable);
+        let is_own = declared.is_some_and(|span| program.is_user(span));
+        // Whether it is the output of a host is only known if it is used.
+        if declared.is_some() && !is_own && unset.always && missing == ALL_CHANNELS {
+            continue;
+        }
+        let declared = declared.filter(|_| is_own);
         let left = program.span(unset.at);
         let finding = cx.report_span(declared.unwrap_or(left), message);
         let finding = match declared {

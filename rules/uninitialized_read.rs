@@ -157,12 +157,12 @@ fn zero(cx: &Context, variable: &Variable) -> Option<(String, Edit)> {
     Some((format!("{name} = {value}"), edit))
 }
 
-/// The name of the variable, with the unassigned components or field if others are assigned.
-fn name_of(cx: &Context, id: VariableId, missing: PartMask) -> String {
+/// The name of a variable, with the unassigned components or field if others are assigned.
+pub fn name_of(cx: &Context, id: VariableId, missing: PartMask) -> String {
     let Some(variable) = cx.program.variable(id) else {
         return String::new();
     };
-    let name = cx.program.names.text(variable.name);
+    let name = cx.program.name_in_text(variable);
     if let Some(found) = cx.program.struct_of(variable.ty) {
         let only = found.fields.get(missing.trailing_zeros() as usize);
         return match only.filter(|_| missing.count_ones() == 1) {

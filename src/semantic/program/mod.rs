@@ -15,7 +15,9 @@ use super::dialect::Dialect;
 use super::types::{Base, Struct, Type, type_name};
 use shaderlint_diagnostic::MacroUse;
 use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{GlContext, Name, Names, Token, Tokens, Version, macro_uses};
+use shaderlint_syntax::{
+    GlContext, Macro, Name, Names, Token, TokenKind, Tokens, Version, macro_uses,
+};
 use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
@@ -328,6 +330,23 @@ impl Program {
     /// Whether a position is in the user's text rather than in text added by a host.
     pub fn is_user(&self, span: Span) -> bool {
         !span.is_empty() && self.sources.is_user(span.start)
+    }
+
+    /// The name by which the user's text refers to a variable: hosts define macros for their own.
+    pub fn name_in_text(&self, variable: &Variable) -> &str {
+        let declared = self.declared_at(variable);
+        let is_theirs = declared.is_some_and(|span| !self.is_user(span));
+        let is_name = |m: &&Macro| {
+            let is_it = |t: &Token| t.kind == TokenKind::Identifier && t.value == variable.name.0;
+            m.uses > 0 && matches!(m.body.as_slice(), [one] if is_it(&one.token))
+        };
+        let named = self
+            .tokens
+            .macros
+            .iter()
+            .find(is_name)
+            .filter(|_| is_theirs);
+        self.names.text(named.map_or(variable.name, |m| m.name))
     }
 
     /// Where the text declares a variable.
