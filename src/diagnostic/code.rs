@@ -210,7 +210,7 @@ errors! {
     /// A `layout(...)` that is not allowed here.
     INVALID_LAYOUT = "invalid-layout", is(Facet::Desktop);
     /// Fragment outputs with missing or conflicting locations.
-    OUTPUT_LOCATION = "output-location", lacks(Lack::Output);
+    OUTPUT_LOCATION = "output-location", meaning;
     /// An input or output of a type that is not allowed.
     INTERFACE_TYPE = "interface-type";
     /// An invalid interface block.

@@ -5,15 +5,15 @@ use crate::findings::chunks::library;
 use crate::findings::report::Report;
 use crate::findings::stage::{FileCheck, FindingStage, ShaderCheck, Unresolved};
 use crate::findings::{STAGES, partner};
-use crate::hosts::host::Hosts;
+use crate::hosts::host::{Handed, Hosts};
 use crate::hosts::hosted;
 use crate::hosts::webgl::context;
 use crate::options::{DialectChoice, Options};
 use crate::shader::analysis::Analysis;
-use crate::shader::reading::{Readings, lacking};
+use crate::shader::reading::lacking;
 use crate::shader::shader_input::{Shader, ShaderInput};
 use crate::text::split::{Unread, split};
-use shaderlint_detect::embed::DocumentLanguage;
+use shaderlint_detect::embed::{DocumentLanguage, Embedded};
 use shaderlint_detect::kind::{Evidence, FileKind, decide};
 use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
@@ -182,7 +182,8 @@ fn check_shaders(file: &mut FileCheck, keep: Keep) {
     let hosts = Hosts::new(file.name, script, file.context);
     for part in &mut file.parts {
         let options = file.context.options;
-        let Some(checked) = understand(&mut report.sources, part, &hosts, options) else {
+        let embedded = part.embedded.and_then(|at| report.embedded.get(at));
+        let Some(checked) = understand(&mut report.sources, part, embedded, &hosts, options) else {
             continue;
         };
         let mut shader = ShaderCheck {
@@ -252,17 +253,29 @@ fn summary(shader: &mut ShaderCheck) -> Option<Shader> {
 fn understand(
     sources: &mut Arc<Sources>,
     part: &mut ShaderInput,
+    embedded: Option<&Embedded>,
     hosts: &Hosts,
     options: &Options,
 ) -> Option<Checked> {
     let is_open = options.dialect == DialectChoice::Auto
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
-    let set_context = |sources: &Sources, readings: &mut Readings, presets: &[&Preset]| {
-        readings.set_context(context(sources, readings, hosts, options, presets));
-    };
     let given = part.host.or(options.host.preset);
-    set_context(sources, &mut part.readings, given.as_slice());
+    let handed = (is_open && part.host.is_none()).then(|| hosts.handed(embedded));
+    match handed.flatten().filter(|_| part.readings.may_be_handed()) {
+        Some(handed) if handed.is_bare => {
+            let sources = Arc::make_mut(sources);
+            part.readings
+                .compile_unchanged(sources, (handed.host, handed.is_300), options)?;
+        }
+        Some(Handed { host, is_300, .. }) => {
+            part.readings.has_own_output = (!host.glsl.is_empty()).then_some(is_300);
+            return complete(sources, part, hosts, (&[host], true), options);
+        }
+        None => {}
+    }
+    let context = context(sources, &part.readings, hosts, options, given.as_slice());
+    part.readings.set_context(context);
     let checked = part.readings.check(sources, part.infer_channels)?;
     let lacking = lacking(&checked);
     if (lacking.is_some() || hosted::given_composer(options).is_some())
@@ -275,7 +288,7 @@ fn understand(
     let has_chunks = !part.readings.chunks().is_empty();
     let lacking = lacking
         .or(has_chunks.then(BTreeSet::new))
-        .filter(|_| is_open);
+        .filter(|_| is_open && !part.readings.is_unchanged());
     let (presets, is_sure) = lacking.map_or((Vec::new(), true), |lacking| {
         hosts.of(&lacking, &part.readings)
     });
@@ -283,11 +296,23 @@ fn understand(
         return Some(checked);
     }
     drop(checked);
+    complete(sources, part, hosts, (&presets, is_sure), options)
+}
+
+/// Checks a shader as completed by some hosts, which may be sure.
+fn complete(
+    sources: &mut Arc<Sources>,
+    part: &mut ShaderInput,
+    hosts: &Hosts,
+    (presets, is_sure): (&[&'static Preset], bool),
+    options: &Options,
+) -> Option<Checked> {
     part.readings
-        .host(Arc::make_mut(sources), &presets, options)?;
+        .host(Arc::make_mut(sources), presets, options)?;
     part.readings.are_hosts_complete = presets.iter().all(|p| hosts.is_complete(p, &part.readings));
     part.readings.is_guessed = !is_sure;
-    set_context(sources, &mut part.readings, &presets);
+    let context = context(sources, &part.readings, hosts, options, presets);
+    part.readings.set_context(context);
     part.readings.check(sources, part.infer_channels)
 }
 

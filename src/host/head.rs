@@ -96,7 +96,7 @@ const SHADER_TEMPLATE: &str = "#ifdef SHADER_TEMPLATE";
 const SHADER_MAIN: &str = "#ifdef SHADER_MAIN";
 
 /// The keys of a header.
-const KEYS: [&str; 30] = [
+const KEYS: [&str; 32] = [
     "alias",
     "reads",
     "base",
@@ -119,6 +119,8 @@ const KEYS: [&str; 30] = [
     "takes",
     "complete",
     "patched",
+    "bare",
+    "glsl",
     "also",
     "composes",
     "directive",
@@ -224,6 +226,8 @@ impl Preset {
             },
             "complete" => self.complete.extend(words()),
             "patched" => self.patched.extend(words()),
+            "bare" => self.bare.extend(words()),
+            "glsl" => self.glsl.extend(words()),
             "also" => self.also.extend(words()),
             "defines" => self.defined.extend(words()),
             "directive" => self.directives.extend(words()),

@@ -89,6 +89,11 @@ pub struct Preset {
     /// JavaScript names that receive shaders to which the host adds nothing else, so that an
     /// unknown name in these is an error.
     pub complete: Vec<String>,
+    /// JavaScript names that receive shaders to which the host adds nothing at all.
+    pub bare: Vec<String>,
+    /// The property next to a shader that determines its version, and its values for GLSL ES 1.00 and 3.00, after
+    /// which a fragment shader declares its own output.
+    pub glsl: Vec<String>,
     /// JavaScript names whose use means that such shaders are modified nevertheless.
     pub patched: Vec<String>,
     /// Names that it declares depending on what is drawn, with unknown types; a trailing `*`
@@ -186,6 +191,8 @@ impl Preset {
             ("Placeholders", &self.holes),
             ("Adds nothing to shaders for", &self.complete),
             ("Unless modified by", &self.patched),
+            ("Compiles unchanged", &self.bare),
+            ("Version set by", &self.glsl),
             ("May also declare", &self.also),
             ("Extensions of pass files", &self.extensions),
             ("Directives", &self.directives),

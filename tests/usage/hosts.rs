@@ -473,3 +473,72 @@ fn hosts_require_versions() {
     );
     assert_eq!(scratch.places(&["c.frag"]), [] as [&str; 0]);
 }
+
+#[test]
+fn what_receives_a_shader_decides_how_it_is_compiled() {
+    const ES100: &str = "precision highp float; varying vec2 v; void main() { vec4 sample = vec4(v, 0.0, 1.0); gl_FragColor = sample; }";
+    const OWN: &str =
+        "precision highp float; in vec2 v; out vec4 c; void main() { c = vec4(v, 0.0, 1.0); }";
+    const MACRO: &str =
+        "precision highp float; in vec2 v; void main() { gl_FragColor = vec4(v, 0.0, 1.0); }";
+    const HOST: &str =
+        "precision highp float; void main() { gl_FragColor = vec4(cameraPosition, 1.0); }";
+    let own_output = "output-location";
+    for (material, shader, expected) in [
+        ("ShaderMaterial({ ", ES100, "reserved-word"),
+        ("RawShaderMaterial({ ", ES100, ""),
+        (
+            "RawShaderMaterial({ glslVersion: THREE.GLSL3, ",
+            ES100,
+            "legacy-glsl",
+        ),
+        ("ShaderMaterial({ ", OWN, own_output),
+        ("ShaderMaterial({ glslVersion: THREE.GLSL3, ", OWN, ""),
+        ("ShaderMaterial({ glslVersion: '300 es', ", OWN, ""),
+        ("RawShaderMaterial({ glslVersion: THREE.GLSL3, ", OWN, ""),
+        ("RawShaderMaterial({ ", OWN, "needs-webgl2"),
+        ("ShaderMaterial({ ", MACRO, ""),
+        ("ShaderMaterial({ ", HOST, ""),
+        ("RawShaderMaterial({ ", HOST, "undeclared-name"),
+        // It is not known what that adds.
+        ("OwnMaterial({ ", OWN, ""),
+    ] {
+        for handed in [
+            format!("const m = new THREE.{material}fragmentShader: `{shader}` }});"),
+            format!(
+                "const fragmentShader = `{shader}`; const m = new THREE.{material}fragmentShader }});"
+            ),
+        ] {
+            let script = format!("import * as THREE from 'three';\n{handed}\n");
+            let scratch = Scratch::new(&[("a.js", &script)]);
+            let out = scratch.run(&["--format", "short", "a.js"]).out;
+            let first = out.split_once(": error[").map_or("", |(_, code)| code);
+            let first = first.split(']').next().unwrap_or("");
+            assert_eq!(first, expected, "{handed}\n{out}");
+        }
+    }
+}
+
+#[test]
+fn a_shader_file_is_compiled_as_the_materials_that_import_it() {
+    let shader =
+        "varying vec2 v; void main() { vec4 sample = vec4(v, 0.0, 1.0); gl_FragColor = sample; }";
+    let material = |name: &str| {
+        format!(
+            "import * as THREE from 'three';\nimport frag from './a.frag';\n\
+             export const m = new THREE.{name}({{ fragmentShader: frag }});\n"
+        )
+    };
+    let package = ("package.json", r#"{"dependencies":{"three":"^0.170.0"}}"#);
+    for (name, line) in [
+        ("ShaderMaterial", "a.frag:1:36: error[reserved-word]"),
+        ("OwnMaterial", ""),
+        // Without a default precision.
+        ("RawShaderMaterial", "a.frag:1:9: error[missing-precision]"),
+    ] {
+        let script = material(name);
+        let files = [("a.frag", shader), ("m.js", script.as_str()), package];
+        let out = Scratch::new(&files).run(&["--format", "short", "."]).out;
+        assert!(out.starts_with(line), "{name}: {out}");
+    }
+}

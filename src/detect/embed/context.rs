@@ -9,8 +9,8 @@ pub struct LiteralContext {
     pub is_introduced: bool,
     /// Its variable, property or call is named like a shader, or compiles it.
     pub names_shader: bool,
-    /// A name that contains "vert" receives it.
-    pub is_vertex: bool,
+    /// The stage for which its variable, property or call is named.
+    pub stage: Option<NamedStage>,
     /// It is a search pattern or a replacement.
     pub is_pattern: bool,
     /// It is a message for a person.
@@ -32,17 +32,40 @@ impl LiteralContext {
         let call = read.call(root);
         let words = target.map_or(Vec::new(), words);
         let has = |all: &[&str]| words.iter().any(|w| all.contains(&w.as_str()));
-        let is_vertex = |name: Option<&str>| {
-            let name = name.unwrap_or("").to_ascii_lowercase();
-            name.contains("vert") || name == "vs"
-        };
         LiteralContext {
             is_introduced: read.is_introduced(literal),
             names_shader: has(&SHADERS) || call == Some("shaderSource"),
-            is_vertex: has(&["vs", "vsh"]) || is_vertex(target) || is_vertex(call),
+            stage: NamedStage::of([target, call]),
             is_pattern: call.is_some_and(|c| PATTERNS.contains(&c)) || read.is_compared(root),
             is_message: call.is_some_and(|c| c.ends_with("Error") || MESSAGES.contains(&c)),
             target: target.map(str::to_string),
+        }
+    }
+}
+
+/// A stage that names around a shader show.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NamedStage {
+    /// The vertex stage.
+    Vertex,
+    /// The fragment stage.
+    Fragment,
+}
+
+impl NamedStage {
+    /// The stage that some names show.
+    pub(super) fn of<'n>(names: impl IntoIterator<Item = Option<&'n str>>) -> Option<NamedStage> {
+        let names: Vec<&str> = names.into_iter().flatten().collect();
+        let shows = |part: &str, short: [&str; 3]| {
+            let is_short = |name: &str| words(name).iter().any(|w| short.contains(&w.as_str()));
+            let mut names = names.iter();
+            names.any(|name| name.to_ascii_lowercase().contains(part) || is_short(name))
+        };
+        let is_vertex = shows("vert", ["vs", "vsh", "vshader"]);
+        match (is_vertex, shows("frag", ["fs", "fsh", "fshader"])) {
+            (true, false) => Some(NamedStage::Vertex),
+            (false, true) => Some(NamedStage::Fragment),
+            _ => None,
         }
     }
 }
@@ -213,7 +236,7 @@ mod tests {
         let reported = [
             (context.is_introduced, "introduced"),
             (context.names_shader, "named"),
-            (context.is_vertex, "vertex"),
+            (context.stage == Some(NamedStage::Vertex), "vertex"),
             (context.is_pattern, "pattern"),
             (context.is_message, "message"),
         ];

@@ -1,5 +1,7 @@
 //! A shader embedded in a file, and which edits are safe.
 
+use super::context::NamedStage;
+use super::receiver::ShaderReceiver;
 use shaderlint_text::{Edit, Span};
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,8 +21,10 @@ pub struct Embedded {
     pub inserted: Vec<InsertedPart>,
     /// Whether it is only a part of other shaders of the file, which insert it.
     pub is_part: bool,
-    /// Whether the context says that it is a vertex shader.
-    pub is_vertex: bool,
+    /// The stage that the context names.
+    pub stage: Option<NamedStage>,
+    /// What the script hands it to; empty if it goes elsewhere, or is changed first.
+    pub receivers: Vec<ShaderReceiver>,
     /// Number of its chapter; excerpts of a chapter continue each other.
     pub chapter: u32,
 }

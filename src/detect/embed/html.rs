@@ -1,5 +1,6 @@
 //! Shaders in the elements of a web page.
 
+use super::context::NamedStage;
 use super::embedded::{Embedded, Wrapping};
 use super::embedder::LeadingBlanks;
 use super::modules::ImportedTexts;
@@ -45,9 +46,8 @@ pub fn elements(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mu
                 inserted: Vec::new(),
                 is_part: false,
                 wrapping: Wrapping::Element,
-                is_vertex: [kind, id]
-                    .iter()
-                    .any(|w| w.contains("vert") || w.contains("vs")),
+                stage: NamedStage::of([Some(kind), Some(id)]),
+                receivers: Vec::new(),
                 chapter: 0,
             };
             if trims {
@@ -151,7 +151,8 @@ mod tests {
                 Some(shader.code.as_str())
             );
         }
-        assert!(all[0].is_vertex && !all[1].is_vertex);
+        assert_eq!(all[0].stage, Some(NamedStage::Vertex));
+        assert_ne!(all[1].stage, all[0].stage);
     }
 
     #[test]

@@ -26,7 +26,8 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
                     has_holes: false,
                     inserted: Vec::new(),
                     is_part: false,
-                    is_vertex: false,
+                    stage: None,
+                    receivers: Vec::new(),
                     chapter: 0,
                 });
             }

@@ -3,6 +3,7 @@
 //! Entities are decoded. Each is replaced by its character, preceded by blanks to keep the length;
 //! consecutive entities are decoded to adjacent characters.
 
+use super::context::NamedStage;
 use super::embedded::{Embedded, Wrapping};
 use super::tag::{attribute, tag_length};
 use crate::kind::Scanned;
@@ -41,7 +42,8 @@ pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) 
                 has_holes: false,
                 inserted: Vec::new(),
                 is_part: false,
-                is_vertex: label.iter().flatten().any(|w| w.contains("vert")),
+                stage: NamedStage::of(label),
+                receivers: Vec::new(),
                 chapter: 0,
             });
             at = element.end;

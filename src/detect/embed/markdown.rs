@@ -2,6 +2,7 @@
 
 use super::DocumentLanguage;
 use super::changes;
+use super::context::NamedStage;
 use super::embedded::{Embedded, Wrapping, left_out};
 use super::modules::NoModules;
 use super::{component, holes, html, kdl, script};
@@ -171,7 +172,8 @@ fn take(text: &str, fence: &MarkdownFence, found: &mut Vec<Embedded>) {
         is_part: false,
         code: masked.unwrap_or(code),
         wrapping: Wrapping::Fence,
-        is_vertex: label.starts_with("vert"),
+        stage: NamedStage::of([Some(label)]),
+        receivers: Vec::new(),
         chapter: fence.chapter,
     });
 }

@@ -4,6 +4,7 @@ use super::context::LiteralContext;
 use super::embedded::{Embedded, InsertedPart, Wrapping, joined};
 use super::holes::mask;
 use super::modules::ImportedTexts;
+use super::receiver::{ReceiverReader, ShaderReceiver};
 use super::text::{ScriptText, Texts};
 use crate::kind::{Chunk, Scanned, may_be_shader};
 use crate::script::parse;
@@ -23,6 +24,7 @@ pub fn extract(
     let script = Script {
         text,
         texts: Texts::new(text, &tree, modules),
+        receivers: ReceiverReader::new(text, &tree),
         is_named,
     };
     let from = found.len();
@@ -81,9 +83,9 @@ impl ParsedScript {
         ParsedScript { text, tree }
     }
 
-    /// The functions, classes and elements to which the script hands what it imports from some modules, each
-    /// by the last part of its name; `None` where the text is changed first, or goes elsewhere.
-    pub fn receivers(&self, is_module: impl Fn(&str) -> bool) -> Vec<Option<&str>> {
+    /// To what the script hands what it imports from some modules; `None` if the text is changed first, or goes
+    /// elsewhere, too.
+    pub fn receivers(&self, is_module: impl Fn(&str) -> bool) -> Option<Vec<ShaderReceiver>> {
         let is_meant = |id: &ScriptNodeId| {
             let node = self.tree.node(*id).filter(|n| n.kind == NodeKind::Name);
             let binding = node.and_then(|n| {
@@ -95,29 +97,9 @@ impl ParsedScript {
                 _ => false,
             }
         };
+        let reader = ReceiverReader::new(&self.text, &self.tree);
         let uses = (0..self.tree.nodes.len()).filter(is_meant);
-        uses.map(|id| self.receiver(id)).collect()
-    }
-
-    /// The last part of the name of what an expression is handed to.
-    fn receiver(&self, id: ScriptNodeId) -> Option<&str> {
-        let mut from = id;
-        for above in self.tree.above(id) {
-            let node = self.tree.node(above)?;
-            match &node.kind {
-                NodeKind::Call | NodeKind::New if node.children.first() != Some(&from) => {
-                    return self.tree.last_name(&self.text, *node.children.first()?);
-                }
-                NodeKind::Element(name) => return self.text.get(name.clone()),
-                NodeKind::Property(_)
-                | NodeKind::Object
-                | NodeKind::Array
-                | NodeKind::Attribute(_)
-                | NodeKind::Choice => from = above,
-                _ => return None,
-            }
-        }
-        None
+        uses.map(|id| reader.of(id)).collect()
     }
 
     /// The text that it exports under a name.
@@ -140,6 +122,7 @@ fn starts(inserted: &[InsertedPart], found: &mut HashSet<usize>) {
 struct Script<'s> {
     text: &'s str,
     texts: Texts<'s>,
+    receivers: ReceiverReader<'s>,
     /// Whether the file name indicates shaders.
     is_named: bool,
 }
@@ -182,8 +165,9 @@ impl Script<'_> {
             code: masked.unwrap_or(code.code),
             inserted: code.inserted,
             wrapping,
-            is_vertex: context.is_vertex,
+            stage: context.stage,
             is_part: false,
+            receivers: self.receivers.of_text(root),
             chapter: 0,
         };
         self.cut_start(root, &mut shader);

@@ -4,7 +4,9 @@
 use crate::check_context::CheckContext;
 use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_detect::embed::{AskedWebGl, DocumentLanguage, ParsedScript};
+use shaderlint_detect::embed::{
+    AskedWebGl, DocumentLanguage, Embedded, ParsedScript, ShaderReceiver,
+};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_host::{ChunkLibrary, Preset, presets};
 use shaderlint_project::{
@@ -43,6 +45,34 @@ pub struct Hosts<'a> {
     installed: OnceCell<Vec<&'static Preset>>,
     /// The release of the library whose chunks the texts include; computed on first use.
     release: OnceCell<Option<u32>>,
+}
+
+/// How scripts hand a shader to a host.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Handed {
+    /// The host.
+    pub host: &'static Preset,
+    /// Whether the host adds nothing to the shader.
+    pub is_bare: bool,
+    /// Whether the scripts ask for GLSL ES 3.00.
+    pub is_300: bool,
+}
+
+/// The host among some to which a receiver belongs.
+fn handed_to(receiver: &ShaderReceiver, around: &[&'static Preset]) -> Option<Handed> {
+    let has = |names: &[String]| names.contains(&receiver.name);
+    let host = *around.iter().find(|p| has(&p.complete) || has(&p.bare))?;
+    let mut set = receiver.beside.iter();
+    Some(Handed {
+        host,
+        is_bare: has(&host.bare),
+        is_300: match host.glsl.as_slice() {
+            [key, _, new] => {
+                set.any(|(name, value)| name == key && [new, "300 es"].contains(&value.as_str()))
+            }
+            _ => false,
+        },
+    })
 }
 
 impl<'a> Hosts<'a> {
@@ -106,6 +136,33 @@ impl<'a> Hosts<'a> {
             ),
             _ => (by_chunk, true),
         }
+    }
+
+    /// How the scripts around a text hand it to a host that they use, if all do so in the same way.
+    pub fn handed(&self, embedded: Option<&Embedded>) -> Option<Handed> {
+        let receives = |p: &&Preset| !p.complete.is_empty() || !p.bare.is_empty();
+        let around = match &self.script {
+            Some(_) => self.imported(),
+            None => self.installed(),
+        };
+        if !around.iter().any(receives) {
+            return None;
+        }
+        let all = match embedded {
+            Some(shader) => shader.receivers.clone(),
+            None => self.receivers()?,
+        };
+        let mut all = all.iter().map(|receiver| handed_to(receiver, around));
+        let first = all.next()??;
+        all.all(|other| other.as_ref() == Some(&first))
+            .then_some(first)
+    }
+
+    /// To what the scripts that import the file hand it, if all hand it on unchanged.
+    fn receivers(&self) -> Option<Vec<ShaderReceiver>> {
+        let all = self.importers().iter();
+        let all = all.map(|(path, text)| self.receivers_in(path, text));
+        Some(all.collect::<Option<Vec<_>>>()?.concat())
     }
 
     /// The release of the library whose chunks a text includes: the one that the project has, or that the addresses
@@ -221,16 +278,18 @@ impl<'a> Hosts<'a> {
             None if !readings.holds_entry() && !readings.is_called => false,
             None => {
                 let all = self.importers();
-                let is_handed = |(path, text): &(PathBuf, Arc<str>)| {
-                    host.is_complete_in(text) && self.hands_over(host, path, text)
-                };
-                !all.is_empty() && all.iter().all(is_handed)
+                let is_handed = |(_, text): &(PathBuf, Arc<str>)| host.is_complete_in(text);
+                let is_known = |r: &ShaderReceiver| host.is_complete_for(&r.name);
+                all.iter().all(is_handed)
+                    && self
+                        .receivers()
+                        .is_some_and(|all| !all.is_empty() && all.iter().all(is_known))
             }
         }
     }
 
-    /// Whether a script hands the file to a host unchanged.
-    fn hands_over(&self, host: &Preset, path: &Path, text: &Arc<str>) -> bool {
+    /// To what a script hands the file, if it hands it on unchanged.
+    fn receivers_in(&self, path: &Path, text: &Arc<str>) -> Option<Vec<ShaderReceiver>> {
         let file = self.file();
         let top = self
             .context
@@ -238,10 +297,7 @@ impl<'a> Hosts<'a> {
             .file_cache
             .top(path, self.context.files);
         let is_file = |import: &str| meant(import, path, &top).contains(&file);
-        let script = ParsedScript::new(text.clone());
-        let receivers = script.receivers(is_file);
-        let is_known = |name: &Option<&str>| name.is_some_and(|name| host.is_complete_for(name));
-        !receivers.is_empty() && receivers.iter().all(is_known)
+        ParsedScript::new(text.clone()).receivers(is_file)
     }
 
     /// Whether a word is used outside of a text that uses it `count` times: in the surrounding

@@ -7,11 +7,17 @@ use shaderlint_text::{FileId, Role, Sources};
 use std::collections::BTreeSet;
 
 /// The declarations that a host adds, without names that the text declares itself: other releases
-/// of a host declare fewer names, and texts may repeat declarations.
-pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
+/// of a host declare fewer names, and texts may repeat declarations. Whether the text has its own output is
+/// decided by its declarations, if it is not known.
+pub fn prelude(
+    preset: &Preset,
+    code: &str,
+    is_vertex: bool,
+    has_own_output: Option<bool>,
+) -> String {
     let own = PreludeNames::of(code);
     let mut text = String::new();
-    if own.has_output {
+    if has_own_output.unwrap_or(own.has_output) {
         text.push_str("#define OWN_OUTPUT 1\n");
     }
     let mut depth = 0_usize;
@@ -24,6 +30,11 @@ pub fn prelude(preset: &Preset, code: &str, is_vertex: bool) -> String {
         text.push_str(if is_repeated { "\n" } else { line });
     }
     text
+}
+
+/// Whether a text declares an output.
+pub fn declares_output(code: &str) -> bool {
+    PreludeNames::of(code).has_output
 }
 
 /// The names that a text declares outside of functions.
@@ -195,13 +206,13 @@ mod tests {
         };
         let own =
             "uniform mat4 a;\n#define B 2\nvec4 g() { vec3 c; return d; }\nfloat f(float y) { }";
-        let shown = prelude(&preset, own, true);
+        let shown = prelude(&preset, own, true, None);
         let left: Vec<&str> = shown.lines().filter(|l| l.contains(';')).collect();
         assert_eq!(
             left,
             ["uniform vec3 c[4];", "layout(location = 0) out vec4 d;"]
         );
         assert!(!shown.contains("#define B"));
-        assert!(prelude(&preset, "out vec4 x;", false).starts_with("#define OWN_OUTPUT"));
+        assert!(prelude(&preset, "out vec4 x;", false, None).starts_with("#define OWN_OUTPUT"));
     }
 }

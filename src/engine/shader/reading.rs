@@ -2,7 +2,7 @@
 //! which a host may complete it.
 
 use super::chunks::{ExpandedText, with_chunks};
-use super::prelude::{after_version, prelude, with_host};
+use super::prelude::{after_version, declares_output, prelude, with_host};
 use crate::options::{DialectChoice, Options};
 use shaderlint_detect::kind::has_main;
 use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
@@ -101,6 +101,10 @@ pub struct Readings {
     pub are_hosts_complete: bool,
     /// Patterns of names that the hosts declare depending on the object that is drawn.
     pub declared_at_times: Vec<String>,
+    /// Whether a shader for the hosts declares its own output; `None` if it shows that.
+    pub has_own_output: Option<bool>,
+    /// What a script writes to get GLSL ES 3.00, if it does not write `#version`.
+    pub version_setting: Option<String>,
     text: InputText,
     guessed: Guess,
     needs_300: bool,
@@ -131,6 +135,8 @@ impl Readings {
             is_guessed: false,
             are_hosts_complete: false,
             declared_at_times: Vec::new(),
+            has_own_output: None,
+            version_setting: None,
             guessed: Guess::default(),
             needs_300: false,
             chunks: Vec::new(),
@@ -166,6 +172,8 @@ impl Readings {
             is_guessed: false,
             are_hosts_complete: false,
             declared_at_times: Vec::new(),
+            has_own_output: None,
+            version_setting: None,
             text,
             guessed,
             needs_300,
@@ -310,6 +318,44 @@ impl Readings {
         !self.has_version() || takes_any || preset.takes_version
     }
 
+    /// Whether a script may hand the text, as it is, to something that completes it.
+    pub fn may_be_handed(&self) -> bool {
+        self.holds_entry() && !self.has_version() && !self.is_shown() && !self.is_shadertoy()
+    }
+
+    /// Whether it is certain that no host adds anything to the text.
+    pub fn is_unchanged(&self) -> bool {
+        self.text.is_compiled && self.presumed == PresumedCompleteness::Complete
+    }
+
+    /// Reads a text to which a host adds nothing but the version, if that is 3.00, unless there are gaps in it.
+    pub fn compile_unchanged(
+        &mut self,
+        sources: &mut Sources,
+        (host, is_300): (&Preset, bool),
+        options: &Options,
+    ) -> Option<()> {
+        if self.has_gaps() {
+            return Some(());
+        }
+        let kind = match is_300 || self.guessed.kind == Some(GuessedKind::WebGl2) {
+            true => GuessedKind::WebGl2,
+            false => GuessedKind::WebGl1,
+        };
+        if let [key, _, new] = host.glsl.as_slice() {
+            self.version_setting = Some(format!("{key}: {new}"));
+        }
+        self.all = vec![self.as_it_is(sources, Some(kind), options)?];
+        self.presumed = PresumedCompleteness::Complete;
+        self.text.is_compiled = true;
+        if is_300 {
+            // The host writes it.
+            self.guessed.kind = Some(GuessedKind::Versioned);
+            self.guessed.is_300 = true;
+        }
+        Some(())
+    }
+
     /// Adds the readings as completed by these hosts.
     pub fn host(
         &mut self,
@@ -355,12 +401,19 @@ impl Readings {
         for (version, stage) in self.ways(preset) {
             let declared = chunk_declarations(version, stage);
             let is_vertex = stage == Stage::Vertex;
-            let mut own = preset.map_or(String::new(), |p| prelude(p, &code, is_vertex));
+            let mut own = preset.map_or(String::new(), |p| {
+                prelude(p, &code, is_vertex, self.has_own_output)
+            });
             if text.has_chunks {
                 own.push_str(&chunk_prelude());
             }
             let writes = code.contains("gl_FragColor") && !own.contains("gl_FragColor");
-            let own = match writes && !is_vertex && version.has(Feature::InOut) {
+            let has_own = || {
+                self.has_own_output
+                    .unwrap_or_else(|| declares_output(&code))
+            };
+            let may_write = writes && !has_own();
+            let own = match may_write && !is_vertex && version.has(Feature::InOut) {
                 true => CHUNK_OUTPUT.to_string() + &own,
                 false => own,
             };

@@ -10,7 +10,7 @@ use crate::shader::input::SplitInput;
 use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::{
-    DocumentLanguage, Embedded, Embedder, LeadingBlanks, Wrapping, joined,
+    DocumentLanguage, Embedded, Embedder, LeadingBlanks, NamedStage, Wrapping, joined,
 };
 use shaderlint_detect::kind::{Evidence, ShaderLanguage, has_main, own_directive};
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
@@ -174,7 +174,14 @@ fn part(
     let guessed = guess(code);
     let text = InputText {
         files,
-        stage: embedded.is_vertex.then_some(Stage::Vertex),
+        stage: match embedded.stage {
+            Some(NamedStage::Vertex) => Some(Stage::Vertex),
+            // Some pages name both stages alike.
+            Some(NamedStage::Fragment) if guessed.stage != Some(Stage::Vertex) => {
+                Some(Stage::Fragment)
+            }
+            _ => None,
+        },
         surroundings: match embedded.wrapping {
             Wrapping::Element => Surroundings::Element,
             Wrapping::Template | Wrapping::Quotes | Wrapping::Raw => Surroundings::Literal,

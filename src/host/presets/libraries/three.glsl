@@ -27,6 +27,8 @@
 // global: THREE
 // complete: ShaderMaterial shaderMaterial
 // patched: onBeforeCompile
+// bare: RawShaderMaterial
+// glsl: glslVersion GLSL1 GLSL3
 // also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* mapTexelToLinear envMapTexelToLinear matcapTexelToLinear emissiveMapTexelToLinear lightMapTexelToLinear toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
 // version: 300 es
 // names: some
