@@ -1,6 +1,5 @@
 //! Outputs that a function does not write.
 
-use crate::uninitialized_read::name_of;
 use shaderlint_flow::PartMask;
 use shaderlint_lint::Context;
 use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
@@ -40,7 +39,7 @@ fn check(cx: &mut Context, function: FunctionRef) {
         let Some(variable) = program.variable(unset.variable).filter(|_| missing != 0) else {
             continue;
         };
-        let what = name_of(cx, unset.variable, missing);
+        let what = cx.name_of_parts(unset.variable, missing);
         let message = match unset.always {
             true => format!("output `{what}` is never written"),
             false => format!("output `{what}` is not written on every path"),

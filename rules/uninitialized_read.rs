@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::Fix;
 use shaderlint_flow::{PartMask, UnassignedVariable};
 use shaderlint_lint::{Context, Finding};
-use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable, VariableId};
+use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable};
 use shaderlint_syntax::ast::{BinaryOp, ExprKind};
 use shaderlint_text::Edit;
 
@@ -62,7 +62,7 @@ fn is_unseen(cx: &Context) -> bool {
 fn report<'a>(cx: &'a mut Context, reads: &[UnassignedVariable]) -> Finding<'a> {
     let names: Vec<String> = reads
         .iter()
-        .map(|u| name_of(cx, u.variable, u.missing))
+        .map(|u| cx.name_of_parts(u.variable, u.missing))
         .collect();
     let subject = match names.as_slice() {
         [] => String::new(),
@@ -155,30 +155,4 @@ fn zero(cx: &Context, variable: &Variable) -> Option<(String, Edit)> {
     let name = cx.program.names.text(variable.name);
     let edit = Edit::insert(token.span.end, format!(" = {value}"));
     Some((format!("{name} = {value}"), edit))
-}
-
-/// The name of a variable, with the unassigned components or field if others are assigned.
-pub fn name_of(cx: &Context, id: VariableId, missing: PartMask) -> String {
-    let Some(variable) = cx.program.variable(id) else {
-        return String::new();
-    };
-    let name = cx.program.name_in_text(variable);
-    if let Some(found) = cx.program.struct_of(variable.ty) {
-        let only = found.fields.get(missing.trailing_zeros() as usize);
-        return match only.filter(|_| missing.count_ones() == 1) {
-            Some(field) => format!("{name}.{}", cx.program.names.text(field.name)),
-            None => name.to_string(),
-        };
-    }
-    let count = variable.ty.components();
-    let letters = ["x", "y", "z", "w"];
-    let missing: Vec<&str> = (0..4)
-        .filter(|i| missing & 1 << i != 0)
-        .filter_map(|i: usize| letters.get(i).copied())
-        .collect();
-    if variable.ty.is_vector() && missing.len() < count as usize {
-        format!("{name}.{}", missing.join(""))
-    } else {
-        name.to_string()
-    }
 }

@@ -171,17 +171,20 @@ pub struct HostNames {
     pub preset: Option<&'static Preset>,
     /// The file that describes a host, as written in the configuration.
     pub prelude: Option<String>,
+    /// Whether nothing else is declared for the shaders.
+    pub is_complete: bool,
     /// Additional uniforms.
     pub uniforms: Vec<HostUniform>,
 }
 
 impl HostNames {
-    /// Adds a host that the user describes to the preset.
-    pub fn describe(&mut self, own: Preset) {
-        let described = match self.preset {
-            Some(preset) => own.over(preset),
-            None => own,
+    /// Adds a host that the user describes, if there is one, to the preset.
+    pub fn describe(&mut self, own: Option<Preset>) {
+        let mut described = match (self.preset, own) {
+            (Some(preset), Some(own)) => own.over(preset),
+            (preset, own) => own.or(preset.cloned()).unwrap_or_default(),
         };
+        described.is_complete |= self.is_complete;
         self.preset = Some(kept(described));
     }
 }

@@ -209,15 +209,7 @@ impl Preset {
                 Some("webgl1" | "webgl2") => self.context.extend(words()),
                 _ => return Err(none_of(value, &["webgl1", "webgl2"])),
             },
-            "requires" => {
-                let (version, since) = value
-                    .split_once(", ")
-                    .ok_or_else(|| format!("expected `VERSION, RELEASE`, found `{value}`"))?;
-                self.required = Some(RequiredVersion {
-                    version: version.to_string(),
-                    since: since.to_string(),
-                });
-            }
+            "requires" => self.required = Some(required(value)?),
             "takes" => match value {
                 "version" => self.takes_version = true,
                 "desktop" => self.takes_desktop = true,
@@ -256,6 +248,17 @@ impl Preset {
         }
         Ok(())
     }
+}
+
+/// Parses a required version such as `300 es, 8.0`.
+fn required(value: &str) -> Result<RequiredVersion, String> {
+    let (version, since) = value
+        .split_once(", ")
+        .ok_or_else(|| format!("expected `VERSION, RELEASE`, found `{value}`"))?;
+    Ok(RequiredVersion {
+        version: version.to_string(),
+        since: since.to_string(),
+    })
 }
 
 fn all_or_some(value: &str) -> Result<bool, String> {

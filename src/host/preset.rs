@@ -173,16 +173,12 @@ impl Preset {
         if !self.aliases.is_empty() {
             facts.push(("Aliases", code(&self.aliases)));
         }
-        facts.extend([
-            ("Compiled as", self.version.to_string()),
-            (
-                "Undeclared names",
-                match self.is_complete {
-                    true => "are errors".to_string(),
-                    false => "may come from the host".to_string(),
-                },
-            ),
-        ]);
+        facts.push(("Compiled as", self.version.to_string()));
+        let undeclared = match self.is_complete {
+            true => "are errors",
+            false => "may come from the host",
+        };
+        facts.push(("Undeclared names", undeclared.to_string()));
         for (what, words) in [
             ("Entry points", &self.entries),
             ("Detected by package", &self.packages),

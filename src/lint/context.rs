@@ -6,9 +6,10 @@ use super::rule::Rule;
 use super::settings::Settings;
 use shaderlint_diagnostic::{Diagnostic, Fix, Label, Origin, Severity};
 use shaderlint_exec::FaultKind;
+use shaderlint_flow::PartMask;
 use shaderlint_flow::ranges::{Interval, Side};
 use shaderlint_ir::OpId;
-use shaderlint_semantic::Program;
+use shaderlint_semantic::{Program, VariableId};
 use shaderlint_syntax::ast::{ExprId, ExprKind, Extent};
 use shaderlint_text::Span;
 
@@ -56,6 +57,29 @@ impl<'p> Context<'_, 'p> {
     /// Whether an expression is written in the text itself, outside any macro call.
     pub fn is_direct(&self, expr: ExprId) -> bool {
         self.program.is_direct(self.program.tree.expr(expr).extent)
+    }
+
+    /// The name of a variable, with those of its components or its field that a mask contains, if that is not
+    /// all of it.
+    pub fn name_of_parts(&self, id: VariableId, mask: PartMask) -> String {
+        let Some(variable) = self.program.variable(id) else {
+            return String::new();
+        };
+        let name = self.program.name_in_text(variable).to_string();
+        if let Some(found) = self.program.struct_of(variable.ty) {
+            let only = found.fields.get(mask.trailing_zeros() as usize);
+            return match only.filter(|_| mask.count_ones() == 1) {
+                Some(field) => format!("{name}.{}", self.program.names.text(field.name)),
+                None => name,
+            };
+        }
+        let parts = "xyzw".chars().enumerate();
+        let parts = parts.filter(|(i, _)| mask & 1 << i != 0);
+        let parts: String = parts.map(|(_, letter)| letter).collect();
+        match variable.ty.is_vector() && parts.len() < variable.ty.components() as usize {
+            true => format!("{name}.{parts}"),
+            false => name,
+        }
     }
 
     /// Reports a finding at a node.

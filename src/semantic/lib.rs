@@ -8,10 +8,7 @@
 pub mod builtins;
 mod channels;
 mod check_shader;
-#[expect(
-    missing_docs,
-    reason = "named after what it is; read by `explain` only"
-)]
+#[expect(missing_docs, reason = "named after what it is, for `explain`")]
 mod checker;
 mod constant;
 mod corrections;
@@ -20,30 +17,18 @@ mod fold;
 mod host;
 mod infer_channels;
 pub mod lists;
-#[expect(
-    missing_docs,
-    reason = "named after what it is; read by `explain` only"
-)]
+#[expect(missing_docs, reason = "named after what it is, for `explain`")]
 pub mod parsed;
-#[expect(
-    missing_docs,
-    reason = "named after what it is; read by `explain` only"
-)]
+#[expect(missing_docs, reason = "named after what it is, for `explain`")]
 pub mod problem;
 mod program;
-#[expect(
-    missing_docs,
-    reason = "named after what it is; read by `explain` only"
-)]
+#[expect(missing_docs, reason = "named after what it is, for `explain`")]
 pub mod scope;
 pub mod snippet;
 pub mod tunable;
 mod tunable_mark;
 mod types;
-#[expect(
-    missing_docs,
-    reason = "named after what it is; read by `explain` only"
-)]
+#[expect(missing_docs, reason = "named after what it is, for `explain`")]
 pub mod typing;
 mod undefined;
 mod unit;

@@ -340,7 +340,7 @@ fn hovers_show_documentation_and_ranges() {
 fn hovers_describe_names_of_user_defined_hosts() {
     let own = shaderlint_host::read("uniform float beat; // = time\n").unwrap();
     let mut options = Options::default();
-    options.host.describe(own);
+    options.host.describe(Some(own));
     let text = "void main() { gl_FragColor = vec4(beat); }\n";
     let document = Document::new("/a.glsl", text.into(), Arc::new(options), &NoFiles);
     let at = text.find("beat").unwrap() as u32;

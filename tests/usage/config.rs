@@ -490,3 +490,42 @@ fn repeated_mistakes_are_one_finding() {
     assert_eq!(all["diagnostics"][0]["others"][1]["start"]["line"], 5);
     assert_eq!(all["summary"]["warnings"], 1);
 }
+
+#[test]
+fn a_list_of_names_can_be_complete() {
+    let shader = "void main() { gl_FragColor = vec4(cameraPosition + own, 1.0); }";
+    for (config, expected) in [
+        ("host = \"three\"", ""),
+        ("[host]\npreset = \"three\"\nnames = \"some\"", ""),
+        (
+            "[host]\npreset = \"three\"\nnames = \"all\"",
+            "1:52 undeclared-name",
+        ),
+        (
+            "[host]\nnames = \"all\"\nuniforms = { cameraPosition = \"vec3\" }",
+            "1:52 undeclared-name",
+        ),
+        (
+            "[host]\npreset = \"three\"\nnames = \"all\"\nuniforms = { own = \"vec3\" }",
+            "",
+        ),
+    ] {
+        let scratch = Scratch::new(&[
+            ("a.frag", shader),
+            ("b.frag", "float own;"),
+            ("shaderlint.toml", config),
+        ]);
+        let out = scratch.run(&["--format", "short", "a.frag"]).out;
+        let errors: Vec<&str> = out
+            .lines()
+            .filter(|line| line.contains(" error["))
+            .collect();
+        let place = expected.split(' ').next().unwrap_or("");
+        assert_eq!(
+            errors.len(),
+            usize::from(!expected.is_empty()),
+            "{config}\n{out}"
+        );
+        assert!(out.contains(place), "{config}\n{out}");
+    }
+}

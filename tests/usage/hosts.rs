@@ -475,7 +475,7 @@ fn hosts_require_versions() {
 }
 
 #[test]
-fn what_receives_a_shader_decides_how_it_is_compiled() {
+fn the_receiver_of_a_shader_decides_how_it_is_compiled() {
     const ES100: &str = "precision highp float; varying vec2 v; void main() { vec4 sample = vec4(v, 0.0, 1.0); gl_FragColor = sample; }";
     const OWN: &str =
         "precision highp float; in vec2 v; out vec4 c; void main() { c = vec4(v, 0.0, 1.0); }";

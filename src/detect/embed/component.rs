@@ -2,7 +2,7 @@
 //! templates.
 
 use super::html::{self, next_script};
-use super::{embedded::Embedded, modules::ImportedTexts, script};
+use super::{embedded::Embedded, embedded::ImportedTexts, script};
 
 /// Finds the shaders of a component.
 pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {
@@ -37,7 +37,7 @@ fn front_matter(text: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modules::NoModules;
+    use super::super::embedded::NoModules;
     use super::*;
 
     #[test]

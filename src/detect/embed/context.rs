@@ -1,5 +1,6 @@
 //! The context of a text in a script: the variable, property or call that receives it.
 
+use super::embedded::NamedStage;
 use super::text::Texts;
 use crate::script::tree::{NodeKind, ScriptNodeId};
 
@@ -41,15 +42,6 @@ impl LiteralContext {
             target: target.map(str::to_string),
         }
     }
-}
-
-/// A stage that names around a shader show.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum NamedStage {
-    /// The vertex stage.
-    Vertex,
-    /// The fragment stage.
-    Fragment,
 }
 
 impl NamedStage {
@@ -220,7 +212,7 @@ impl<'t> ContextReader<'t, '_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modules::NoModules;
+    use super::super::embedded::NoModules;
     use super::*;
     use crate::script::parse;
     use crate::script::tree::ScriptNode;

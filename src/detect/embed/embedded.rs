@@ -1,10 +1,18 @@
 //! A shader embedded in a file, and which edits are safe.
 
-use super::context::NamedStage;
 use super::receiver::ShaderReceiver;
 use shaderlint_text::{Edit, Span};
 use std::ops::Range;
 use std::sync::Arc;
+
+/// A stage that names around a shader show.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NamedStage {
+    /// The vertex stage.
+    Vertex,
+    /// The fragment stage.
+    Fragment,
+}
 
 /// A shader embedded in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -306,5 +314,21 @@ pub(super) fn left_out(before: &str) -> &'static str {
     match last.is_some_and(|b| b"=(,+-*<>?:&|!".contains(&b)) {
         true => "hhh",
         false => "   ",
+    }
+}
+
+/// Reads the modules that a script imports.
+pub trait ImportedTexts {
+    /// The text that a module exports under a name; `default` is the default export, and the whole text
+    /// of a file that is no script.
+    fn text(&self, path: &str, name: &str) -> Option<InsertedPart>;
+}
+
+/// No module can be read.
+pub struct NoModules;
+
+impl ImportedTexts for NoModules {
+    fn text(&self, _: &str, _: &str) -> Option<InsertedPart> {
+        None
     }
 }

@@ -1,5 +1,6 @@
 //! A part of a shader that is inserted at run time.
 
+use shaderlint_syntax::{Version, WordClass, classify};
 use std::ops::Range;
 
 /// A part of a shader that is inserted at run time.
@@ -25,4 +26,13 @@ pub(super) enum HoleContent {
     Chosen(String, String),
     /// Nothing: a control construct of a template.
     Nothing,
+}
+
+/// Whether a word is a keyword at the start of declarations or statements, or a type.
+pub(super) fn is_keyword(word: &str) -> bool {
+    let is_in = |version| {
+        let class = classify(word, version);
+        matches!(class, WordClass::Keyword(_) | WordClass::Type(_))
+    };
+    !matches!(word, "true" | "false") && (is_in(Version::Es100) || is_in(Version::Es300))
 }

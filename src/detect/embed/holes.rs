@@ -5,8 +5,7 @@
 //! undeclared name, the same for equal expressions; nothing between statements; a number next to
 //! digits.
 
-use super::hole::{Hole, HoleContent};
-use super::keyword::is_keyword;
+use super::hole::{Hole, HoleContent, is_keyword};
 use std::ops::Range;
 
 /// Placeholder in the bytes of holes that are not filled yet.

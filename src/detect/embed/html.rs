@@ -1,9 +1,9 @@
 //! Shaders in the elements of a web page.
 
-use super::context::NamedStage;
+use super::embedded::ImportedTexts;
+use super::embedded::NamedStage;
 use super::embedded::{Embedded, Wrapping};
 use super::embedder::LeadingBlanks;
-use super::modules::ImportedTexts;
 use super::tag::{attribute, tag_length};
 use super::{holes::mask, listing, script};
 use crate::kind::Scanned;
@@ -127,7 +127,7 @@ fn is_script(kind: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modules::NoModules;
+    use super::super::embedded::NoModules;
     use super::*;
 
     fn found(text: &str) -> Vec<Embedded> {

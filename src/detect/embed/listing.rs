@@ -3,7 +3,7 @@
 //! Entities are decoded. Each is replaced by its character, preceded by blanks to keep the length;
 //! consecutive entities are decoded to adjacent characters.
 
-use super::context::NamedStage;
+use super::embedded::NamedStage;
 use super::embedded::{Embedded, Wrapping};
 use super::tag::{attribute, tag_length};
 use crate::kind::Scanned;

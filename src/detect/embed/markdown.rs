@@ -2,9 +2,9 @@
 
 use super::DocumentLanguage;
 use super::changes;
-use super::context::NamedStage;
+use super::embedded::NamedStage;
 use super::embedded::{Embedded, Wrapping, left_out};
-use super::modules::NoModules;
+use super::embedded::NoModules;
 use super::{component, holes, html, kdl, script};
 use crate::kind::Evidence;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};

@@ -13,11 +13,9 @@ mod hole;
 mod holes;
 mod html;
 mod kdl;
-mod keyword;
 mod listing;
 mod markdown;
 mod mention;
-mod modules;
 mod receiver;
 mod script;
 mod tag;
@@ -29,12 +27,12 @@ mod webgl;
 use crate::kind::may_be_shader;
 
 pub use crate::document_language::DocumentLanguage;
-pub use context::NamedStage;
-pub use embedded::{Embedded, InsertedPart, ModuleFile, Wrapping, joined};
+pub use embedded::{
+    Embedded, ImportedTexts, InsertedPart, ModuleFile, NamedStage, NoModules, Wrapping, joined,
+};
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
 pub use mention::{Mention, MentionKind, NameRole, mentions};
-pub use modules::{ImportedTexts, NoModules};
 pub use receiver::ShaderReceiver;
 pub use script::ParsedScript;
 pub use together::{Asked, asked, strings, together};

@@ -1,9 +1,9 @@
 //! Shaders in string literals of a script.
 
 use super::context::LiteralContext;
+use super::embedded::ImportedTexts;
 use super::embedded::{Embedded, InsertedPart, Wrapping, joined};
 use super::holes::mask;
-use super::modules::ImportedTexts;
 use super::receiver::{ReceiverReader, ShaderReceiver};
 use super::text::{ScriptText, Texts};
 use crate::kind::{Chunk, Scanned, may_be_shader};
@@ -236,7 +236,7 @@ fn is_balanced(code: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modules::NoModules;
+    use super::super::embedded::NoModules;
     use super::*;
 
     #[track_caller]

@@ -1,8 +1,7 @@
 //! Placeholders of template languages in shaders: `${x}`, `{{ x }}`, `{x}`, `[[x]]`, `<%= x %>`,
 //! `{% if x %}`, `@X@`, `##X##`, `%s`, `$x`, `$(x)` and `__X__`.
 
-use super::hole::{Hole, HoleContent};
-use super::keyword::is_keyword;
+use super::hole::{Hole, HoleContent, is_keyword};
 use std::collections::HashSet;
 use std::ops::Range;
 

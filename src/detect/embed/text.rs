@@ -1,10 +1,10 @@
 //! The texts that a script puts together: literals, concatenated or joined, with the values of what is
 //! inserted.
 
+use super::embedded::ImportedTexts;
 use super::embedded::InsertedPart;
 use super::hole::{Hole, HoleContent};
 use super::holes::fill;
-use super::modules::ImportedTexts;
 use crate::script::tree::{BindingValue, Export, NodeKind, ScriptNodeId, ScriptTree};
 use std::cell::Cell;
 use std::collections::HashSet;

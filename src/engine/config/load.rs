@@ -74,13 +74,16 @@ fn parsed(_: &str) -> Result<Config, ((u32, u32), String)> {
 
 /// Reads the file that describes a host, in addition to its preset.
 fn describe(files: &dyn Files, host: &mut HostNames, root: &Path) -> Result<(), String> {
-    let Some(path) = &host.prelude else {
-        return Ok(());
+    let read = |path: &String| {
+        let text = files.load(&root.join(path));
+        let text = text.map_err(|e| format!("{path}: {e}"))?;
+        let own = shaderlint_host::read(&text);
+        own.map_err(|e| format!("{path}:{}: {}", e.line, e.message))
     };
-    let text = files.load(&root.join(path));
-    let text = text.map_err(|e| format!("{path}: {e}"))?;
-    let own = shaderlint_host::read(&text);
-    host.describe(own.map_err(|e| format!("{path}:{}: {}", e.line, e.message))?);
+    let own = host.prelude.as_ref().map(read).transpose()?;
+    if own.is_some() || host.is_complete {
+        host.describe(own);
+    }
     Ok(())
 }
 

@@ -118,18 +118,25 @@ pub struct Readings {
 impl Readings {
     /// The only reading of a complete shader.
     pub fn of_complete(reading: Reading) -> Readings {
+        let text = InputText {
+            files: reading.files.clone(),
+            stage: Some(reading.stage),
+            surroundings: Surroundings::File,
+            is_open: false,
+            is_compiled: false,
+            is_300: false,
+            has_holes: false,
+        };
+        let complete = PresumedCompleteness::Complete;
+        let mut found = Readings::new(text, complete, Guess::default());
+        found.all.push(reading);
+        found
+    }
+
+    fn new(text: InputText, presumed: PresumedCompleteness, guessed: Guess) -> Readings {
         Readings {
-            text: InputText {
-                files: reading.files.clone(),
-                stage: Some(reading.stage),
-                surroundings: Surroundings::File,
-                is_open: false,
-                is_compiled: false,
-                is_300: false,
-                has_holes: false,
-            },
-            all: vec![reading],
-            presumed: PresumedCompleteness::Complete,
+            all: Vec::new(),
+            presumed,
             hosts: Vec::new(),
             renames: false,
             is_guessed: false,
@@ -137,7 +144,8 @@ impl Readings {
             declared_at_times: Vec::new(),
             has_own_output: None,
             version_setting: None,
-            guessed: Guess::default(),
+            text,
+            guessed,
             needs_300: false,
             chunks: Vec::new(),
             is_called: false,
@@ -164,26 +172,10 @@ impl Readings {
         let kind = kind_of(&guessed, &text, &needs_300, options.dialect);
         let presumed = presumed(kind, &guessed, &text, code, &needs_300, options.dialect);
         let needs_300 = text.is_300 || presumed != PresumedCompleteness::Complete && *needs_300;
-        let mut found = Readings {
-            all: Vec::new(),
-            presumed,
-            hosts: Vec::new(),
-            renames: false,
-            is_guessed: false,
-            are_hosts_complete: false,
-            declared_at_times: Vec::new(),
-            has_own_output: None,
-            version_setting: None,
-            text,
-            guessed,
-            needs_300,
-            chunks: chunks_in(code)
-                .into_iter()
-                .map(|chunk| chunk.name)
-                .collect(),
-            is_called: false,
-            procedures: procedures(code),
-        };
+        let mut found = Readings::new(text, presumed, guessed);
+        found.needs_300 = needs_300;
+        found.procedures = procedures(code);
+        found.chunks = chunks_in(code).into_iter().map(|c| c.name).collect();
         found.chunks.retain(|name| is_chunk(name));
         if presumed == PresumedCompleteness::Chunk && is_body(code) {
             found.put_in_function(sources)?;

@@ -3,6 +3,7 @@
 use super::mistake::Mistake;
 use super::rules::Rules;
 use super::word_or::WordOr;
+use crate::config::layer::Layer;
 use crate::options::{
     ContextChoice, Desktop, DialectChoice, HostNames, HostUniform, TargetVersion,
 };
@@ -16,92 +17,93 @@ use shaderlint_syntax::{EXTENSIONS, Extensions, GlExtension, Version, WordClass,
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-// Two structs repeat the keys of a layer, because serde loses positions with `flatten`.
+// Serde loses positions with `flatten`, so that both structs have the keys of a layer.
+macro_rules! with_layer {
+    ($(#[$about:meta])* $name:ident { $($own:tt)* }) => {
+        #[derive(Deserialize, JsonSchema)]
+        $(#[$about])*
+        #[serde(deny_unknown_fields, expecting = "a table")]
+        pub struct $name {
+            $($own)*
+            /// Rules to run, before the levels in `rules`
+            preset: Option<RulePreset>,
+            /// Whether to report infos; otherwise only those of rules in `rules` are
+            info: Option<bool>,
+            /// Renderer that the shaders run on in production
+            target: Option<Renderer>,
+            /// Version of GLSL that shaders are converted to
+            #[serde(rename = "target-version")]
+            target_version: Option<TargetVersion>,
+            /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
+            run_samples: Option<u32>,
+            /// Dialect of the shaders
+            dialect: Option<DialectChoice>,
+            /// Context of WebGL that compiles the shaders
+            context: Option<ContextChoice>,
+            /// Extensions that are enabled in the context, as in `getExtension`
+            #[schemars(with = "Option<Vec<String>>")]
+            extensions: Option<Vec<Spanned<String>>>,
+            /// How to treat desktop GLSL and other shaders that WebGL cannot compile
+            desktop: Option<Desktop>,
+            /// Site or library that completes the shaders
+            host: Option<HostEntry>,
+            /// Folders that `#include` searches after the folder of the file, relative to this file
+            include_roots: Option<Vec<String>>,
+            /// Style of `shaderlint fmt`
+            #[serde(default)]
+            format: FormatEntry,
+            /// Levels and options of rules and groups
+            #[serde(default)]
+            rules: Rules,
+        }
 
-/// Configuration of shaderlint
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-#[schemars(title = "shaderlint.toml")]
-pub struct ConfigFile {
-    /// Rules to run, before the levels in `rules`
-    pub preset: Option<RulePreset>,
-    /// Whether to report infos; otherwise only those of rules in `rules` are
-    pub info: Option<bool>,
-    /// Renderer that the shaders run on in production
-    pub target: Option<Renderer>,
-    /// Version of GLSL that shaders are converted to
-    #[serde(rename = "target-version")]
-    pub target_version: Option<TargetVersion>,
-    /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
-    pub run_samples: Option<u32>,
-    /// Dialect of the shaders
-    pub dialect: Option<DialectChoice>,
-    /// Context of WebGL that compiles the shaders
-    pub context: Option<ContextChoice>,
-    /// Extensions that are enabled in the context, as in `getExtension`
-    #[schemars(with = "Option<Vec<String>>")]
-    pub extensions: Option<Vec<Spanned<String>>>,
-    /// How to treat desktop GLSL and other shaders that WebGL cannot compile
-    pub desktop: Option<Desktop>,
-    /// Site or library that completes the shaders
-    pub host: Option<HostEntry>,
-    /// Style of `shaderlint fmt`
-    #[serde(default)]
-    pub format: FormatEntry,
-    /// Levels and options of rules and groups
-    #[serde(default)]
-    pub rules: Rules,
-    /// Files to check when folders are searched
-    pub include: Option<Patterns>,
-    /// Folders that `#include` searches after the folder of the file, relative to this file
-    pub include_roots: Option<Vec<String>>,
-    /// Files to skip when folders are searched
-    pub exclude: Option<Patterns>,
-    /// Settings for some files; later overrides take precedence
-    #[serde(default)]
-    pub overrides: Vec<Override>,
+        impl $name {
+            /// Checks the keys of the layer.
+            pub fn layer(self) -> Result<Layer, Mistake> {
+                Ok(Layer {
+                    preset: self.preset,
+                    info: self.info,
+                    target: self.target,
+                    target_version: self.target_version.map(TargetVersion::version),
+                    run_samples: self.run_samples,
+                    dialect: self.dialect,
+                    webgl: self.context.map(ContextChoice::webgl),
+                    extensions: enabled(self.extensions)?,
+                    desktop: self.desktop,
+                    host: self.host.map(HostEntry::names).transpose()?,
+                    include_roots: self.include_roots,
+                    format: self.format.choice()?,
+                    rules: self.rules.adjustments()?,
+                })
+            }
+        }
+    };
 }
 
-/// Settings for some files
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub struct Override {
-    /// Files that the settings apply to, relative to this configuration
-    pub paths: Patterns,
-    /// Rules to run, before the levels in `rules`
-    pub preset: Option<RulePreset>,
-    /// Whether to report infos; otherwise only those of rules in `rules` are
-    pub info: Option<bool>,
-    /// Renderer that the shaders run on in production
-    pub target: Option<Renderer>,
-    /// Version of GLSL that shaders are converted to
-    #[serde(rename = "target-version")]
-    pub target_version: Option<TargetVersion>,
-    /// Number of pixels to sample per shader, however long it takes; 0 disables sample runs
-    pub run_samples: Option<u32>,
-    /// Dialect of the shaders
-    pub dialect: Option<DialectChoice>,
-    /// Context of WebGL that compiles the shaders
-    pub context: Option<ContextChoice>,
-    /// Extensions that are enabled in the context, as in `getExtension`
-    #[schemars(with = "Option<Vec<String>>")]
-    pub extensions: Option<Vec<Spanned<String>>>,
-    /// How to treat desktop GLSL and other shaders that WebGL cannot compile
-    pub desktop: Option<Desktop>,
-    /// Site or library that completes the shaders
-    pub host: Option<HostEntry>,
-    /// Folders that `#include` searches after the folder of the file, relative to this file
-    pub include_roots: Option<Vec<String>>,
-    /// Style of `shaderlint fmt`
-    #[serde(default)]
-    pub format: FormatEntry,
-    /// Levels and options of rules and groups
-    #[serde(default)]
-    pub rules: Rules,
+with_layer! {
+    /// Configuration of shaderlint
+    #[schemars(title = "shaderlint.toml")]
+    ConfigFile {
+        /// Files to check when folders are searched
+        pub include: Option<Patterns>,
+        /// Files to skip when folders are searched
+        pub exclude: Option<Patterns>,
+        /// Settings for some files; later overrides take precedence
+        #[serde(default)]
+        pub overrides: Vec<Override>,
+    }
+}
+
+with_layer! {
+    /// Settings for some files
+    Override {
+        /// Files that the settings apply to, relative to this configuration
+        pub paths: Patterns,
+    }
 }
 
 /// The extensions that a list names.
-pub fn enabled(list: Option<Vec<Spanned<String>>>) -> Result<Option<Extensions>, Mistake> {
+fn enabled(list: Option<Vec<Spanned<String>>>) -> Result<Option<Extensions>, Mistake> {
     let named = |entry: &Spanned<String>| {
         GlExtension::named(entry.get_ref()).ok_or_else(|| {
             let known: Vec<&str> = EXTENSIONS.iter().map(|facts| facts.name).collect();
@@ -137,7 +139,7 @@ enum IndentValue {
 
 impl FormatEntry {
     /// Checks the values.
-    pub fn choice(self) -> Result<StyleChoice, Mistake> {
+    fn choice(self) -> Result<StyleChoice, Mistake> {
         let width = self.width.map(|width| match *width.get_ref() {
             20..=1000 => Ok(*width.get_ref()),
             _ => Err(Mistake::at(
@@ -172,7 +174,7 @@ pub type HostEntry = WordOr<KnownHost, DescribedHost>;
 
 impl HostEntry {
     /// Checks the uniforms.
-    pub fn names(self) -> Result<HostNames, Mistake> {
+    fn names(self) -> Result<HostNames, Mistake> {
         let host = match self {
             WordOr::Word(known) => DescribedHost {
                 preset: Some(known),
@@ -185,6 +187,7 @@ impl HostEntry {
             uniforms: uniforms.collect::<Result<_, _>>()?,
             preset: host.preset.map(|known| known.0),
             prelude: host.prelude,
+            is_complete: host.names == Some(NamesOfHost::All),
         })
     }
 }
@@ -197,10 +200,22 @@ pub struct DescribedHost {
     preset: Option<KnownHost>,
     /// GLSL file that describes the host, relative to this configuration
     prelude: Option<String>,
+    /// Whether the host declares all names that the shaders do not, so that any other is an error
+    names: Option<NamesOfHost>,
     /// Uniforms that the host declares, with their types
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, UniformType>")]
     uniforms: BTreeMap<Spanned<String>, UniformType>,
+}
+
+/// How many of the names that a host declares are known
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum NamesOfHost {
+    /// All of them
+    All,
+    /// Those of the host, if it is not said that they are all
+    Some,
 }
 
 /// Name of a built-in host
@@ -267,7 +282,7 @@ pub struct Patterns(Spanned<Vec<Spanned<String>>>);
 
 impl Patterns {
     /// Compiles the patterns.
-    pub fn globs(self) -> Result<GlobSet, Mistake> {
+    pub fn globs(&self) -> Result<GlobSet, Mistake> {
         let mut set = GlobSetBuilder::new();
         for entry in self.0.get_ref() {
             let written = entry.get_ref().as_str();

@@ -8,9 +8,8 @@ mod word_or;
 
 pub use schema::schema;
 
-use super::layer::{Config, Layer};
-use crate::options::{ContextChoice, TargetVersion};
-use file::{ConfigFile, HostEntry, Patterns, enabled};
+use super::layer::Config;
+use file::{ConfigFile, Patterns};
 use mistake::Mistake;
 use shaderlint_text::LineIndex;
 
@@ -38,44 +37,14 @@ pub fn parse(text: &str) -> Result<Config, ConfigError> {
     })
 }
 
-fn config(file: ConfigFile) -> Result<Config, Mistake> {
-    let overrides = file.overrides.into_iter().map(|own| {
-        let layer = Layer {
-            preset: own.preset,
-            info: own.info,
-            target: own.target,
-            target_version: own.target_version.map(TargetVersion::version),
-            run_samples: own.run_samples,
-            dialect: own.dialect,
-            webgl: own.context.map(ContextChoice::webgl),
-            extensions: enabled(own.extensions)?,
-            desktop: own.desktop,
-            host: own.host.map(HostEntry::names).transpose()?,
-            include_roots: own.include_roots,
-            format: own.format.choice()?,
-            rules: own.rules.adjustments()?,
-        };
-        Ok((own.paths.globs()?, layer))
-    });
+fn config(mut file: ConfigFile) -> Result<Config, Mistake> {
+    let overrides = std::mem::take(&mut file.overrides).into_iter();
+    let overrides = overrides.map(|own| Ok((own.paths.globs()?, own.layer()?)));
     Ok(Config {
         overrides: overrides.collect::<Result<_, Mistake>>()?,
-        base: Layer {
-            preset: file.preset,
-            info: file.info,
-            target: file.target,
-            target_version: file.target_version.map(TargetVersion::version),
-            run_samples: file.run_samples,
-            dialect: file.dialect,
-            webgl: file.context.map(ContextChoice::webgl),
-            extensions: enabled(file.extensions)?,
-            desktop: file.desktop,
-            host: file.host.map(HostEntry::names).transpose()?,
-            include_roots: file.include_roots,
-            format: file.format.choice()?,
-            rules: file.rules.adjustments()?,
-        },
-        include: file.include.map(Patterns::globs).transpose()?,
-        exclude: file.exclude.map(Patterns::globs).transpose()?,
+        include: file.include.as_ref().map(Patterns::globs).transpose()?,
+        exclude: file.exclude.as_ref().map(Patterns::globs).transpose()?,
+        base: file.layer()?,
         ..Config::default()
     })
 }
