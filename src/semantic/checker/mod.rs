@@ -112,52 +112,30 @@ pub fn check(
             checker = run(candidates, parsed.enough);
         }
     }
-    let Checker {
-        exprs,
-        variables,
-        functions,
-        structs,
-        calls,
-        declared,
-        declared_params,
-        pool,
-        mut problems,
-        scopes,
-        ..
-    } = checker;
-    problems.truncate(MAX_ERRORS);
-    let ParsedShader {
-        sources,
-        tokens,
-        names,
-        tree,
-        version,
-        context,
-        has_errors,
-        ..
-    } = parsed;
+    let mut all = checker.problems;
+    all.truncate(MAX_ERRORS);
+    let problems = Problems {
+        all,
+        scopes: checker.scopes.into_log(),
+    };
     let program = Program {
-        sources,
-        version,
-        context,
+        exprs: checker.exprs,
+        variables: checker.variables,
+        functions: checker.functions,
+        structs: checker.structs,
+        calls: checker.calls,
+        declared: checker.declared,
+        declared_params: checker.declared_params,
+        pool: checker.pool,
         stage,
         dialect,
-        exprs,
-        variables,
-        functions,
-        structs,
-        calls,
-        declared,
-        declared_params,
-        pool,
-        had_errors: has_errors,
-        tokens,
-        names,
-        tree,
-    };
-    let problems = Problems {
-        all: problems,
-        scopes: scopes.into_log(),
+        sources: parsed.sources,
+        version: parsed.version,
+        context: parsed.context,
+        had_errors: parsed.has_errors,
+        tokens: parsed.tokens,
+        names: parsed.names,
+        tree: parsed.tree,
     };
     (program, problems)
 }
