@@ -10,6 +10,7 @@ use crate::kind::{Chunk, Scanned, may_be_shader};
 use crate::script::parse;
 use crate::script::tree::{BindingValue, NodeKind, ScriptNodeId, ScriptTree};
 use std::collections::HashSet;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Finds the shaders. If the name of the script indicates shaders, its literals need less evidence.
@@ -73,7 +74,7 @@ pub fn extract(
 /// A script that others import.
 pub struct ParsedScript {
     text: Arc<str>,
-    tree: ScriptTree,
+    tree: Rc<ScriptTree>,
 }
 
 impl ParsedScript {

@@ -133,14 +133,14 @@ fn after_string(text: &str, at: usize) -> Option<usize> {
         "`" => near(1, "`"),
         "'" if is_inside => None,
         _ => {
-            let line = rest.get(1..rest.find('\n').unwrap_or(rest.len()))?;
+            // The line is not searched for its end first: a minified script is one line.
             let mut is_escaped = false;
-            let end = line.bytes().position(|b| {
-                let ends = !is_escaped && b == *open.as_bytes().first().unwrap_or(&b'"');
+            let end = rest.bytes().skip(1).position(|b| {
+                let ends = b == b'\n' || !is_escaped && open.as_bytes() == [b];
                 is_escaped = !is_escaped && b == b'\\';
                 ends
             })?;
-            Some(at + end + 2)
+            (rest.as_bytes().get(end + 1) != Some(&b'\n')).then_some(at + end + 2)
         }
     }
 }

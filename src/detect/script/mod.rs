@@ -9,10 +9,38 @@ pub mod tree;
 use oxc_allocator::Allocator;
 use oxc_parser::{ParseOptions, Parser};
 use oxc_span::SourceType;
+use std::cell::RefCell;
+use std::rc::Rc;
 use tree::ScriptTree;
 
+/// Maximum number of bytes of the scripts whose trees are kept, except for the last one.
+const MAX_KEPT: usize = 1 << 21;
+
+thread_local! {
+    /// The scripts that were parsed last, with their trees: a file is asked several questions in a row.
+    static PARSED: RefCell<Vec<(Box<str>, Rc<ScriptTree>)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// The tree of a script, which is parsed once.
+pub fn parse(text: &str) -> Rc<ScriptTree> {
+    PARSED.with_borrow_mut(|kept| {
+        if let Some(at) = kept.iter().rposition(|(script, _)| **script == *text) {
+            let known = kept.remove(at);
+            kept.push(known);
+        } else {
+            kept.push((text.into(), Rc::new(parsed(text))));
+            while kept.len() > 1 && kept.iter().map(|k| k.0.len()).sum::<usize>() > MAX_KEPT {
+                kept.remove(0);
+            }
+        }
+        kept.last()
+            .map(|(_, tree)| tree.clone())
+            .unwrap_or_default()
+    })
+}
+
 /// Parses a script. Where that fails, its literals are found without it.
-pub fn parse(text: &str) -> ScriptTree {
+fn parsed(text: &str) -> ScriptTree {
     if !depth::is_limited(text) {
         return scan::scan(text);
     }

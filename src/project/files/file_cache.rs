@@ -84,7 +84,7 @@ impl FileCache {
     /// Whether another file of the repository may declare a name for a complete shader of this file.
     pub fn may_be_declared(&self, name: &str, file: &Path, files: &dyn Files) -> bool {
         self.of_repository(file, files, |words| {
-            !words.is_all || words.may_be_declared(name, file)
+            !words.is_all || words.may_be_declared(name, file, files)
         })
     }
 

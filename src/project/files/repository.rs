@@ -95,17 +95,26 @@ impl WordFiles {
     }
 }
 
-/// The words in the code of a repository.
+/// What the files of a repository declare for shaders.
 #[derive(Default)]
-pub struct RepositoryWords {
-    words: WordFiles,
+struct DeclaredWords {
     /// Names that a file declares for shaders in other texts.
     declared: WordFiles,
     /// Words of complete shaders that these do not declare.
     lacked: WordFiles,
     /// Whether a program puts declarations together from parts.
     writes_declarations: bool,
+}
+
+/// The words in the code of a repository.
+#[derive(Default)]
+pub struct RepositoryWords {
+    words: WordFiles,
     files: FxHashMap<PathBuf, u32>,
+    /// The files that are about shaders.
+    about_shaders: Vec<PathBuf>,
+    /// What these declare; read when that is asked first.
+    declared: OnceLock<DeclaredWords>,
     /// Whether all code was read.
     pub is_all: bool,
     /// Whether a program may write `#version` before shaders: it contains `#version`, or passes
@@ -150,22 +159,34 @@ impl RepositoryWords {
             added.for_each(|member| self.words.add(hash(&member), number));
         }
         let length = text.len();
-        if !is_about_shaders {
-            self.files.insert(path, number);
-            return length;
-        }
-        if is_program {
+        if is_about_shaders && is_program {
             programs.hand_over |= text.contains(".shaderSource(");
             programs.hold_version |= text.contains("#version 300");
         }
-        let found = NamesForOthers::of(&name, &text);
-        let declared = found.declared.into_iter();
-        declared.for_each(|word| self.declared.add(hash(word), number));
-        let lacked = found.lacked.into_iter();
-        lacked.for_each(|word| self.lacked.add(hash(word), number));
-        self.writes_declarations |= found.writes_declarations;
+        if is_about_shaders {
+            self.about_shaders.push(path.clone());
+        }
         self.files.insert(path, number);
         length
+    }
+
+    /// Reads what the files declare for shaders.
+    fn read_declared(&self, files: &dyn Files) -> DeclaredWords {
+        let mut found = DeclaredWords::default();
+        for path in &self.about_shaders {
+            let (Ok(text), Some(number)) = (files.load(path), self.files.get(path)) else {
+                continue;
+            };
+            let names = NamesForOthers::of(&path.to_string_lossy(), &text);
+            for (words, all) in [
+                (names.declared, &mut found.declared),
+                (names.lacked, &mut found.lacked),
+            ] {
+                words.iter().for_each(|word| all.add(hash(word), *number));
+            }
+            found.writes_declarations |= names.writes_declarations;
+        }
+        found
     }
 
     /// Whether a word appears in a file other than this one.
@@ -176,11 +197,14 @@ impl RepositoryWords {
     /// Whether another file may declare a name for a complete shader of this file: it declares the name
     /// outside of complete shaders, a program writes declarations and contains the name, or another
     /// complete shader lacks it too, so that somebody declares it for both.
-    pub fn may_be_declared(&self, name: &str, file: &Path) -> bool {
+    pub fn may_be_declared(&self, name: &str, file: &Path, files: &dyn Files) -> bool {
+        if !self.is_elsewhere(name, file) {
+            return false;
+        }
         let own = self.files.get(file).copied();
-        let sources = [&self.declared, &self.lacked];
-        sources.iter().any(|all| all.is_elsewhere(name, own))
-            || self.writes_declarations && self.words.is_elsewhere(name, own)
+        let found = self.declared.get_or_init(|| self.read_declared(files));
+        let sources = [&found.declared, &found.lacked];
+        found.writes_declarations || sources.iter().any(|all| all.is_elsewhere(name, own))
     }
 }
 
