@@ -1,9 +1,8 @@
 //! Shaders in the elements of a web page.
 
-use super::embedded::ImportedTexts;
-use super::embedded::NamedStage;
-use super::embedded::{Embedded, Wrapping};
-use super::embedder::LeadingBlanks;
+use super::DocumentLanguage;
+use super::embedded::{Embedded, ImportedTexts, NamedStage, Wrapping};
+use super::embedder::{Embedder, LeadingBlanks};
 use super::tag::{attribute, tag_length};
 use super::{holes::mask, listing, script};
 use crate::kind::Scanned;
@@ -22,7 +21,8 @@ pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut
 /// Finds the shaders in script elements.
 pub fn elements(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {
     let lower = text.to_ascii_lowercase();
-    let trims = LeadingBlanks::of(text) == LeadingBlanks::Trimmed;
+    let embedder = Embedder::of(DocumentLanguage::Html, text);
+    let trims = embedder.leading_blanks == LeadingBlanks::Trimmed;
     let mut at = 0;
     while let Some(element) = next_script(&lower, at) {
         at = element.end;

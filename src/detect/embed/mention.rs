@@ -3,7 +3,8 @@
 
 use super::DocumentLanguage;
 use super::together::scripts;
-use crate::script::token::{ScriptToken, ScriptTokenKind, tokens};
+use crate::script::parse;
+use crate::script::tree::{NodeKind, ScriptNodeId, ScriptTree};
 use std::ops::Range;
 
 /// What scripts use a name for.
@@ -48,184 +49,148 @@ pub fn mentions(
     }
     for script in scripts(language, text) {
         let content = text.get(script.clone()).unwrap_or("");
-        let mut tokens = tokens(content);
-        tokens.retain(|t| t.kind != ScriptTokenKind::Comment);
         let mut reader = MentionReader {
             text: content,
-            tokens: &tokens,
-            open: Vec::new(),
+            tree: &parse(content),
+            base: script.start,
             name,
             role,
-            found: Vec::new(),
+            found: &mut found,
         };
-        reader.read();
-        found.extend(reader.found.into_iter().map(|mention| Mention {
-            range: mention.range.start + script.start..mention.range.end + script.start,
-            ..mention
-        }));
+        (0..reader.tree.nodes.len()).for_each(|id| reader.node(id));
     }
+    found.sort_by_key(|mention| mention.range.start);
     found
 }
 
-/// What is inside a pair of brackets.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum ScriptBracket {
-    /// The object of uniforms or attributes, or an index of it.
-    Inputs,
-    /// Arguments of a function that is about uniforms, attributes or varyings.
-    AboutInputs,
-    /// Arguments of a function that searches or changes text.
-    AboutText,
-    /// Any other `{`.
-    Braces,
-    /// Anything else.
-    Others,
-}
-
-struct MentionReader<'t> {
+struct MentionReader<'t, 'f> {
     text: &'t str,
-    tokens: &'t [ScriptToken],
-    open: Vec<ScriptBracket>,
+    tree: &'t ScriptTree,
+    base: usize,
     name: &'t str,
     role: NameRole,
-    found: Vec<Mention>,
+    found: &'f mut Vec<Mention>,
 }
 
-impl<'t> MentionReader<'t> {
-    fn word(&self, at: usize) -> &'t str {
-        let range = self.tokens.get(at).map_or(0..0, |t| t.range.clone());
-        self.text.get(range).unwrap_or("")
+impl<'t> MentionReader<'t, '_> {
+    fn word(&self, range: &Range<usize>) -> &'t str {
+        self.text.get(range.clone()).unwrap_or("")
     }
 
-    /// Whether the token at an index is this mark.
-    fn mark(&self, at: Option<usize>, mark: u8) -> bool {
-        let token = at.and_then(|at| self.tokens.get(at));
-        token.is_some_and(|t| t.kind == ScriptTokenKind::Mark(mark))
+    /// Whether the last name of an expression says that it is about inputs of a program.
+    fn is_about_inputs(&self, id: Option<ScriptNodeId>) -> bool {
+        let name = id.and_then(|id| self.tree.last_name(self.text, id));
+        name.is_some_and(is_about_inputs)
     }
 
-    fn read(&mut self) {
-        for (at, token) in self.tokens.iter().enumerate() {
-            match &token.kind {
-                ScriptTokenKind::Mark(mark @ (b'(' | b'[' | b'{')) => {
-                    let bracket = self.bracket(at, *mark);
-                    self.open.push(bracket);
-                }
-                ScriptTokenKind::Mark(b')' | b']' | b'}') => {
-                    self.open.pop();
-                }
-                ScriptTokenKind::Word if self.word(at) == self.name => self.identifier(at),
-                // A regular expression.
-                ScriptTokenKind::Word if self.word(at).starts_with('/') => self.edited(at),
-                ScriptTokenKind::Quoted | ScriptTokenKind::Template(_) => self.string(at),
-                _ => {}
-            }
-        }
-    }
-
-    /// The meaning of a bracket, from what precedes it.
-    fn bracket(&self, at: usize, mark: u8) -> ScriptBracket {
-        let before = at.checked_sub(1);
-        let is_inputs = |at: Option<usize>| at.is_some_and(|at| is_about_inputs(self.word(at)));
-        match mark {
-            b'{' => {
-                let sets = self.mark(before, b':') || self.mark(before, b'=');
-                match sets && is_inputs(at.checked_sub(2)) {
-                    true => ScriptBracket::Inputs,
-                    false => ScriptBracket::Braces,
-                }
-            }
-            b'[' if is_inputs(before) => ScriptBracket::Inputs,
-            // A list of names is like a name.
-            b'[' => match self.open.last() {
-                Some(outer @ (ScriptBracket::AboutInputs | ScriptBracket::AboutText)) => *outer,
-                _ => ScriptBracket::Others,
-            },
-            _ if is_inputs(before) => ScriptBracket::AboutInputs,
-            _ => match before.map_or("", |at| self.word(at)) {
-                "replace" | "replaceAll" | "split" | "includes" | "indexOf" | "match"
-                | "RegExp" => ScriptBracket::AboutText,
-                _ => ScriptBracket::Others,
-            },
-        }
-    }
-
-    fn add(&mut self, range: Range<usize>, kind: MentionKind) {
+    fn add(&mut self, range: Range<usize>, is_clear: bool) {
+        let kind = match is_clear {
+            true => MentionKind::Name,
+            false => MentionKind::Unclear,
+        };
+        let range = range.start + self.base..range.end + self.base;
         self.found.push(Mention { range, kind });
     }
 
-    /// An identifier of the script with the name.
-    fn identifier(&mut self, at: usize) {
-        let Some(token) = self.tokens.get(at) else {
+    fn node(&mut self, id: ScriptNodeId) {
+        let Some(node) = self.tree.node(id) else {
             return;
         };
-        if self.role == NameRole::Inner {
-            return;
+        let is_named = |name| self.role == NameRole::Input && self.word(name) == self.name;
+        match &node.kind {
+            NodeKind::Text => self.string(id, &node.span, &[]),
+            NodeKind::Template(holes) => self.string(id, &node.span, holes),
+            // A regular expression.
+            NodeKind::Other if self.word(&node.span).starts_with('/') => {
+                self.edited(id, &node.span, &[]);
+            }
+            NodeKind::Member(name) if is_named(name) => {
+                self.add(name.clone(), self.is_about_inputs(self.tree.child(id, 0)));
+            }
+            NodeKind::Property(name) if is_named(name) => {
+                let of_inputs = node.parent.is_some_and(|object| self.holds_inputs(object));
+                self.add(name.clone(), of_inputs);
+                let value = self
+                    .tree
+                    .child(id, 0)
+                    .and_then(|value| self.tree.node(value));
+                let is_shorthand = value.is_some_and(|value| value.span == *name);
+                if let Some(last) = self.found.last_mut().filter(|_| of_inputs && is_shorthand) {
+                    last.kind = MentionKind::Shorthand;
+                }
+            }
+            _ => {}
         }
-        let (before, after) = (at.checked_sub(1), Some(at + 1));
-        let is_property = self.mark(before, b'.');
-        let starts = self.mark(before, b'{') || self.mark(before, b',');
-        let of_inputs = self.open.last() == Some(&ScriptBracket::Inputs);
-        let in_braces = of_inputs || self.open.last() == Some(&ScriptBracket::Braces);
-        let ends = self.mark(after, b',') || self.mark(after, b'}');
-        let kind = if is_property {
-            let of = at.checked_sub(2);
-            let of = match self.mark(of, b'?') {
-                true => at.checked_sub(3),
-                false => of,
-            };
-            match of.is_some_and(|of| is_about_inputs(self.word(of))) {
-                true => MentionKind::Name,
-                false => MentionKind::Unclear,
-            }
-        } else if in_braces && starts && self.mark(after, b':') {
-            match of_inputs {
-                true => MentionKind::Name,
-                false => MentionKind::Unclear,
-            }
-        } else if in_braces && starts && ends {
-            match of_inputs {
-                true => MentionKind::Shorthand,
-                false => MentionKind::Unclear,
-            }
-        } else {
-            // A variable of the script.
-            return;
-        };
-        self.add(token.range.clone(), kind);
     }
 
-    /// A string or template literal.
-    fn string(&mut self, at: usize) {
-        let Some(token) = self.tokens.get(at) else {
-            return;
-        };
-        let text = self.word(at);
-        let rest = text.strip_prefix(self.name);
+    /// Whether an object is that of uniforms or attributes: `uniforms: { ... }`.
+    fn holds_inputs(&self, object: ScriptNodeId) -> bool {
+        let object = self.tree.node(object);
+        let object = object.filter(|node| node.kind == NodeKind::Object);
+        let parent = object.and_then(|node| node.parent);
+        match parent.and_then(|id| Some((id, &self.tree.node(id)?.kind))) {
+            Some((_, NodeKind::Property(name) | NodeKind::Variable(name))) => {
+                is_about_inputs(self.word(name))
+            }
+            Some((_, NodeKind::Attribute(name))) => is_about_inputs(self.word(name)),
+            Some((id, NodeKind::Assignment(_))) => self.is_about_inputs(self.tree.child(id, 0)),
+            _ => false,
+        }
+    }
+
+    /// What a string is handed to or looked up in, and whether it is handed: a list of names is like a name.
+    fn receiver(&self, id: ScriptNodeId) -> Option<(ScriptNodeId, bool)> {
+        let mut from = id;
+        for above in self.tree.above(id) {
+            let node = self.tree.node(above)?;
+            match node.kind {
+                NodeKind::Call | NodeKind::New | NodeKind::Index => {
+                    let is_call = node.kind != NodeKind::Index;
+                    let callee = node.children.first().filter(|first| **first != from);
+                    return callee.map(|callee| (*callee, is_call));
+                }
+                NodeKind::Array | NodeKind::Sum | NodeKind::Choice => from = above,
+                _ => return None,
+            }
+        }
+        None
+    }
+
+    /// Whether a function that searches or changes text is called with a node, perhaps indirectly.
+    fn is_edited(&self, id: ScriptNodeId) -> bool {
+        let mut from = id;
+        self.tree.above(id).any(|above| {
+            let inner = std::mem::replace(&mut from, above);
+            let callee = self.tree.child(above, 0).filter(|first| *first != inner);
+            let is_call = self
+                .tree
+                .node(above)
+                .is_some_and(|node| matches!(node.kind, NodeKind::Call | NodeKind::New));
+            let name = callee.and_then(|callee| self.tree.last_name(self.text, callee));
+            is_call && name.is_some_and(|name| EDITORS.contains(&name))
+        })
+    }
+
+    /// A string or template with the ranges of its `${...}`.
+    fn string(&mut self, id: ScriptNodeId, span: &Range<usize>, holes: &[Range<usize>]) {
+        let rest = self.word(span).strip_prefix(self.name);
         // `lights[0].color` refers to `lights`.
         let is_whole = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['[', '.']));
-        let around = self.open.last().copied().unwrap_or(ScriptBracket::Others);
-        if around == ScriptBracket::AboutText || !is_whole {
-            return self.edited(at);
+        if !is_whole || self.is_edited(id) {
+            return self.edited(id, span, holes);
         }
-        if self.role == NameRole::Inner && around != ScriptBracket::AboutInputs {
-            return;
+        let receiver = self.receiver(id);
+        let is_clear = receiver.is_some_and(|(of, _)| self.is_about_inputs(Some(of)));
+        if self.role == NameRole::Input || is_clear && receiver.is_some_and(|(_, calls)| calls) {
+            self.add(span.start..span.start + self.name.len(), is_clear);
         }
-        let kind = match around {
-            ScriptBracket::Inputs | ScriptBracket::AboutInputs => MentionKind::Name,
-            _ => MentionKind::Unclear,
-        };
-        self.add(token.range.start..token.range.start + self.name.len(), kind);
     }
 
     /// A text that contains the name: a part of a shader, or a pattern for it.
-    fn edited(&mut self, at: usize) {
-        let Some(token) = self.tokens.get(at) else {
-            return;
-        };
-        let text = self.word(at);
-        let is_edited = self.open.contains(&ScriptBracket::AboutText);
+    fn edited(&mut self, id: ScriptNodeId, span: &Range<usize>, holes: &[Range<usize>]) {
+        let text = self.word(span);
         let is_code = text.contains([';', '{', '(', '=']);
-        if !is_edited && !is_code {
+        if !text.contains(self.name) || !is_code && !self.is_edited(id) {
             return;
         }
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
@@ -235,17 +200,26 @@ impl<'t> MentionReader<'t> {
             let after = text.get(end..).and_then(|t| t.chars().next());
             // In `\bname\b`, the letter before belongs to the escape.
             let is_escape = text.get(..start).is_some_and(|t| t.ends_with("\\b"));
-            if is_escape || !before.is_some_and(is_word) && !after.is_some_and(is_word) {
-                let kind = match is_edited {
-                    true => MentionKind::Name,
-                    false => MentionKind::Unclear,
-                };
-                let base = token.range.start;
-                self.add(base + start..base + end, kind);
+            let is_whole = is_escape || !before.is_some_and(is_word) && !after.is_some_and(is_word);
+            let at = span.start + start;
+            // What is inserted is an expression of the script.
+            if is_whole && !holes.iter().any(|hole| hole.contains(&at)) {
+                self.add(at..at + self.name.len(), self.is_edited(id));
             }
         }
     }
 }
+
+/// The functions that search or change text.
+const EDITORS: [&str; 7] = [
+    "replace",
+    "replaceAll",
+    "split",
+    "includes",
+    "indexOf",
+    "match",
+    "RegExp",
+];
 
 /// Whether a name of a script says that something is about inputs or outputs of a program.
 fn is_about_inputs(word: &str) -> bool {

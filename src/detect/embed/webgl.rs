@@ -1,6 +1,6 @@
 //! Which contexts of WebGL a page or script asks for, and which extensions it may enable.
 
-use super::html;
+use super::together::scripts;
 use crate::document_language::DocumentLanguage;
 use crate::script::parse;
 use crate::script::tree::{BindingValue, NodeKind, ScriptNodeId, ScriptTree};
@@ -33,13 +33,8 @@ impl AskedWebGl {
         if !text.contains("getContext") && !text.contains("xtension") {
             return found;
         }
-        let whole = 0..text.len();
-        let parts = match language {
-            DocumentLanguage::Script => std::iter::once(whole).collect(),
-            _ => html::scripts(text),
-        };
         let mut calls = ContextCalls::default();
-        for part in parts {
+        for part in scripts(language, text) {
             let script = text.get(part).unwrap_or("");
             let tree = parse(script);
             calls.read(script, &tree, &mut found);

@@ -114,13 +114,7 @@ impl TreeBuilder<'_> {
             js::Expression::TemplateLiteral(it) => self.template(it),
             js::Expression::NumericLiteral(_) => self.node(NodeKind::Number, range(span), |_| {}),
             js::Expression::Identifier(_) => self.node(NodeKind::Name, range(span), |_| {}),
-            js::Expression::StaticMemberExpression(it) => self.node(
-                NodeKind::Member(range(it.property.span)),
-                range(span),
-                |b| {
-                    b.expression(&it.object);
-                },
-            ),
+            js::Expression::StaticMemberExpression(it) => self.member(it),
             js::Expression::ComputedMemberExpression(it) => {
                 self.pair(NodeKind::Index, span, [&it.object, &it.expression])
             }
@@ -154,6 +148,7 @@ impl TreeBuilder<'_> {
                 js::ChainElement::CallExpression(call) => {
                     self.call(NodeKind::Call, span, &call.callee, &call.arguments)
                 }
+                js::ChainElement::StaticMemberExpression(it) => self.member(it),
                 _ => self.node(NodeKind::Other, range(span), |b| {
                     walk::walk_chain_expression(b, it);
                 }),
@@ -169,6 +164,13 @@ impl TreeBuilder<'_> {
                 walk::walk_expression(b, it)
             }),
         }
+    }
+
+    fn member(&mut self, it: &js::StaticMemberExpression) -> ScriptNodeId {
+        let name = range(it.property.span);
+        self.node(NodeKind::Member(name), range(it.span), |b| {
+            b.expression(&it.object);
+        })
     }
 
     /// A node with two expressions.
@@ -242,10 +244,7 @@ impl TreeBuilder<'_> {
                     b.node(NodeKind::Name, range(name.span), |_| {});
                 }
                 js::AssignmentTarget::StaticMemberExpression(member) => {
-                    let kind = NodeKind::Member(range(member.property.span));
-                    b.node(kind, range(member.span), |b| {
-                        b.expression(&member.object);
-                    });
+                    b.member(member);
                 }
                 js::AssignmentTarget::ComputedMemberExpression(member) => {
                     b.pair(
@@ -347,6 +346,15 @@ impl<'a> Visit<'a> for TreeBuilder<'_> {
 
     fn visit_object_property(&mut self, it: &js::ObjectProperty<'a>) {
         self.property(&it.key, Some(&it.value));
+    }
+
+    fn visit_static_member_expression(&mut self, it: &js::StaticMemberExpression<'a>) {
+        self.member(it);
+    }
+
+    fn visit_binding_property(&mut self, it: &js::BindingProperty<'a>) {
+        self.property(&it.key, None);
+        walk::walk_binding_property(self, it);
     }
 
     fn visit_spread_element(&mut self, it: &js::SpreadElement<'a>) {

@@ -1,4 +1,4 @@
-//! The literals of a script that cannot be parsed, each with the name before it.
+//! The literals of a script that cannot be parsed, each with the name before it, and the calls.
 
 use super::token::{ScriptToken, ScriptTokenKind, is_mark, tokens};
 use super::tree::{NodeKind, ScriptNode, ScriptNodeId, ScriptTree};
@@ -13,6 +13,14 @@ pub fn scan(text: &str) -> ScriptTree {
             ScriptTokenKind::Template(holes) => NodeKind::Template(holes.clone()),
             ScriptTokenKind::Comment => {
                 tree.comments.push(token.range.clone());
+                continue;
+            }
+            ScriptTokenKind::Mark(b'(') => {
+                let callee = at.checked_sub(1).and_then(|at| all.get(at));
+                if let Some(callee) = callee.filter(|t| t.kind == ScriptTokenKind::Word) {
+                    let call = add(&mut tree, NodeKind::Call, callee, None);
+                    add(&mut tree, NodeKind::Name, callee, Some(call));
+                }
                 continue;
             }
             _ => continue,
@@ -61,9 +69,7 @@ fn receiver(
         ));
     }
     if mark(1, b'(') {
-        let id = add(tree, NodeKind::Call, name, None);
-        add(tree, NodeKind::Name, name, Some(id));
-        return Some(id);
+        return tree.nodes.last().and_then(|callee| callee.parent);
     }
     None
 }

@@ -105,7 +105,7 @@ fn embedder(
     if matches!(language, DocumentLanguage::Markdown | DocumentLanguage::Kdl) {
         return Embedder::default();
     }
-    let own = Embedder::of(text);
+    let own = Embedder::of(language, text);
     // What scripts do with leading white space only matters for shaders that start with it.
     let starts_blank = |e: &Embedded| e.code.starts_with(char::is_whitespace);
     match all.iter().any(starts_blank) {

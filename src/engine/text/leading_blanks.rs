@@ -1,7 +1,7 @@
 //! White space before the `#version` of a shader: scripts may trim the text before they compile it.
 
 use crate::check_context::CheckContext;
-use shaderlint_detect::embed::{Embedder, LeadingBlanks};
+use shaderlint_detect::embed::{DocumentLanguage, Embedder, LeadingBlanks};
 use shaderlint_project::imports;
 use shaderlint_text::path::plain;
 use std::path::Path;
@@ -27,7 +27,7 @@ pub fn leading_blanks(
     let found = relative.take(MAX_SCRIPTS).filter_map(|path| {
         let path = plain(&folder.join(path.trim_start_matches('/')));
         let script = context.files.load(&path).ok()?;
-        Some(Embedder::of(&script).leading_blanks)
+        Some(Embedder::of(DocumentLanguage::Script, &script).leading_blanks)
     });
     // Helper scripts read the shader, others compile it.
     let all: Vec<LeadingBlanks> = found.collect();
