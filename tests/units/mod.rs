@@ -4,4 +4,5 @@ mod causes;
 mod editor;
 mod formatter;
 mod linking;
+mod scripts;
 mod versions;

@@ -38,6 +38,21 @@ pub struct Embedded {
 }
 
 impl Embedded {
+    /// A text that is complete as it is.
+    pub(super) fn new(start: usize, code: String, wrapping: Wrapping) -> Embedded {
+        Embedded {
+            start,
+            code,
+            wrapping,
+            has_holes: false,
+            inserted: Vec::new(),
+            is_part: false,
+            stage: None,
+            receivers: Vec::new(),
+            chapter: 0,
+        }
+    }
+
     /// Offset after its last byte.
     pub fn end(&self) -> usize {
         self.start + self.code.len()

@@ -19,17 +19,8 @@ pub fn extract(text: &str, base: usize, found: &mut Vec<Embedded>) {
         } else if let Some((open, code, close)) = string(rest) {
             let scanned = Scanned::of(code);
             if node.is_some_and(|node| node.contains("shader")) && scanned.chunk() != Chunk::No {
-                found.push(Embedded {
-                    start: base + at + open,
-                    code: code.to_string(),
-                    wrapping: Wrapping::Raw,
-                    has_holes: false,
-                    inserted: Vec::new(),
-                    is_part: false,
-                    stage: None,
-                    receivers: Vec::new(),
-                    chapter: 0,
-                });
+                let start = base + at + open;
+                found.push(Embedded::new(start, code.to_string(), Wrapping::Raw));
             }
             open + code.len() + close
         } else {

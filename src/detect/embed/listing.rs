@@ -5,14 +5,17 @@
 
 use super::embedded::NamedStage;
 use super::embedded::{Embedded, Wrapping};
-use super::tag::{attribute, tag_length};
+use super::tag::{Element, attribute, next_element};
 use crate::kind::Scanned;
 use shaderlint_text::markup;
+
+/// The elements that show code.
+const SHOWN: [&str; 3] = ["pre", "code", "textarea"];
 
 /// Finds the shaders. `lower` is the text in lower case.
 pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) {
     let mut at = 0;
-    while let Some(element) = next(lower, at) {
+    while let Some(element) = next_element(lower, at, &SHOWN, &["script", "style"]) {
         at = element.start;
         let Some(content) = text.get(element.start..element.end) else {
             return;
@@ -32,74 +35,21 @@ pub fn extract(text: &str, lower: &str, base: usize, found: &mut Vec<Embedded>) 
                 attribute(element.head, "id"),
                 attribute(element.head, "class"),
             ];
+            let wrapping = match element.name {
+                "textarea" => Wrapping::Element,
+                _ => Wrapping::Listing,
+            };
             found.push(Embedded {
-                start: base + element.start,
-                code,
-                wrapping: match element.name {
-                    "textarea" => Wrapping::Element,
-                    _ => Wrapping::Listing,
-                },
-                has_holes: false,
-                inserted: Vec::new(),
-                is_part: false,
                 stage: NamedStage::of(label),
-                receivers: Vec::new(),
-                chapter: 0,
+                ..Embedded::new(base + element.start, code, wrapping)
             });
             at = element.end;
         }
     }
 }
 
-/// An element that shows code.
-struct CodeElement<'a> {
-    name: &'static str,
-    head: &'a str,
-    start: usize,
-    end: usize,
-}
-
-fn next(lower: &str, mut at: usize) -> Option<CodeElement<'_>> {
-    loop {
-        let open = at + lower.get(at..)?.find('<')?;
-        let rest = lower.get(open..)?;
-        at = open + 1;
-        if rest.starts_with("<!--") {
-            at = open + rest.find("-->")? + 3;
-            continue;
-        }
-        let skipped = ["script", "style"].into_iter().find(|n| opens(rest, n));
-        if let Some(name) = skipped {
-            at = open + rest.find(&format!("</{name}"))?;
-            at += 1;
-            continue;
-        }
-        let name = ["pre", "code", "textarea"]
-            .into_iter()
-            .find(|n| opens(rest, n));
-        let Some(name) = name else { continue };
-        let head = rest.get(1 + name.len()..)?;
-        let length = tag_length(head)?;
-        let start = open + 1 + name.len() + length + 1;
-        let end = start + lower.get(start..)?.find(&format!("</{name}"))?;
-        let head = head.get(..length)?;
-        return Some(CodeElement {
-            name,
-            head,
-            start,
-            end,
-        });
-    }
-}
-
-/// Whether an element of this name starts here.
-fn opens(rest: &str, name: &str) -> bool {
-    let after = rest.get(1..).and_then(|r| r.strip_prefix(name));
-    after.is_some_and(|b| b.starts_with(|c: char| c.is_ascii_whitespace() || c == '>'))
-}
-
 /// Whether an element contains a shader: according to an attribute, or clearly by its text.
-fn is_taken(element: &CodeElement, code: &str) -> bool {
+fn is_taken(element: &Element, code: &str) -> bool {
     let names = ["class", "lang", "data-lang", "data-language", "id", "name"];
     let values = names.iter().filter_map(|n| attribute(element.head, n));
     let words = || {
@@ -177,54 +127,4 @@ fn entity(rest: &str) -> Option<(char, usize)> {
         c => c,
     };
     c.is_ascii().then_some((c, end + 2))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Joins the shaders of a page with `|`.
-    #[track_caller]
-    fn check(text: &str, expected: &str) {
-        let mut found = Vec::new();
-        extract(text, &text.to_ascii_lowercase(), 0, &mut found);
-        for shader in &found {
-            assert!(text.get(shader.start..shader.end()).is_some());
-        }
-        let codes: Vec<String> = found.into_iter().map(|s| s.code).collect();
-        assert_eq!(codes.join("|"), expected, "{text}");
-    }
-
-    #[test]
-    fn decoded_entities_keep_their_width() {
-        check(
-            "<pre class='language-glsl'>a&lt;b&amp;&amp;c&gt;=d;</pre>",
-            "a   <b        &&c   >=d;",
-        );
-        check(
-            "<PRE><code lang=glsl>a&#39;&#x3C;&copy;;</code></PRE>",
-            "a         '<&copy;;",
-        );
-    }
-
-    #[test]
-    fn glsl_elements_are_found_by_class_or_content() {
-        check(
-            "<textarea>void main() { gl_FragColor = vec4(1 &lt; 2); }</textarea>",
-            "void main() { gl_FragColor = vec4(1    < 2); }",
-        );
-        check(
-            "<code class=\"glsl\"><span class='k'>float</span> a;</code>",
-            "                float        a;",
-        );
-        check(
-            "<code class='glsl'>vec3</code><pre>void main() in C</pre>",
-            "",
-        );
-        check(
-            "<pre class='language-c'>void main() { vec3(vec2(1)); }</pre>",
-            "",
-        );
-        check("<script><pre class='glsl'>a;</pre></script>", "");
-    }
 }

@@ -166,15 +166,10 @@ fn take(text: &str, fence: &MarkdownFence, found: &mut Vec<Embedded>) {
     let code = mask(content);
     let masked = holes::mask(&code);
     found.push(Embedded {
-        start,
         has_holes: masked.is_some(),
-        inserted: Vec::new(),
-        is_part: false,
-        code: masked.unwrap_or(code),
-        wrapping: Wrapping::Fence,
         stage: NamedStage::of([Some(label)]),
-        receivers: Vec::new(),
         chapter: fence.chapter,
+        ..Embedded::new(start, masked.unwrap_or(code), Wrapping::Fence)
     });
 }
 

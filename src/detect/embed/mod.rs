@@ -35,7 +35,7 @@ pub use holes::mask;
 pub use mention::{Mention, MentionKind, NameRole, mentions};
 pub use receiver::ShaderReceiver;
 pub use script::ParsedScript;
-pub use together::{Asked, asked, strings, together};
+pub use together::{Asked, asked, lists, strings, together};
 pub use webgl::AskedWebGl;
 
 /// Finds the shaders in a file, in source order.
@@ -76,6 +76,15 @@ pub fn extract_with(
         DocumentLanguage::Kdl => kdl::extract(text, 0, &mut found),
     }
     found.iter_mut().for_each(Embedded::leave_out);
+    let is_element = |shader: &&mut Embedded| shader.wrapping == Wrapping::Element;
+    if matches!(
+        language,
+        DocumentLanguage::Html | DocumentLanguage::Component
+    ) && Embedder::of(language, text).leading_blanks == LeadingBlanks::Trimmed
+    {
+        let elements = found.iter_mut().filter(is_element);
+        elements.for_each(Embedded::trim_start);
+    }
     found
 }
 

@@ -6,7 +6,7 @@ use super::embedded::{Embedded, InsertedPart, Wrapping, joined};
 use super::holes::mask;
 use super::receiver::{ReceiverReader, ShaderReceiver};
 use super::text::{ScriptText, Texts};
-use crate::kind::{Chunk, Scanned, may_be_shader};
+use crate::kind::{Chunk, Scanned, has_main, may_be_shader};
 use crate::script::parse;
 use crate::script::tree::{BindingValue, NodeKind, ScriptNodeId, ScriptTree};
 use std::collections::HashSet;
@@ -135,7 +135,10 @@ impl Script<'_> {
         let code = node
             .and_then(|n| self.text.get(n.span.clone()))
             .unwrap_or("");
-        context.is_introduced || context.names_shader || may_be_shader(code)
+        context.is_introduced
+            || context.names_shader
+            || may_be_shader(code)
+            || self.texts.joins(root, has_main)
     }
 
     /// The shader in an expression, if it is one.
@@ -161,15 +164,11 @@ impl Script<'_> {
             .as_deref()
             .is_some_and(|t| self.texts.grows(t));
         let mut shader = Embedded {
-            start: code.start,
             has_holes: code.has_holes || masked.is_some() || context.is_pattern || grows,
-            code: masked.unwrap_or(code.code),
             inserted: code.inserted,
-            wrapping,
             stage: context.stage,
-            is_part: false,
             receivers: self.receivers.of_text(root),
-            chapter: 0,
+            ..Embedded::new(code.start, masked.unwrap_or(code.code), wrapping)
         };
         self.cut_start(root, &mut shader);
         Some(shader)
@@ -233,120 +232,4 @@ fn is_balanced(code: &str) -> bool {
         depth == 0
     };
     count('{', '}') && count('(', ')')
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::embedded::NoModules;
-    use super::*;
-
-    #[track_caller]
-    fn check(text: &str, expected: &[&str]) {
-        let mut found = Vec::new();
-        extract(text, 0, false, &NoModules, &mut found);
-        for shader in &found {
-            assert!(text.get(shader.start..shader.end()).is_some());
-        }
-        let codes: Vec<&str> = found.iter().map(|s| s.code.as_str()).collect();
-        assert_eq!(codes, expected);
-    }
-
-    #[test]
-    fn literals_with_shaders_are_found() {
-        check(
-            "const a = `#version 300 es\nx`, b = 'void 0';",
-            &["#version 300 es\nx"],
-        );
-        check(
-            "f(glsl`float f();`, /* glsl */ `x`, /*no*/`y`)",
-            &["float f();", "x"],
-        );
-        check(
-            "s = 'void  main ( ) {}'; t = \"void mainly()\"",
-            &["void  main ( ) {}"],
-        );
-    }
-
-    #[test]
-    fn concatenated_literals_are_joined() {
-        check(
-            "s = 'void main() {\\n' +\n 'x;' + // it's\n '}';",
-            &["void main() {\n       x;              }"],
-        );
-        check(
-            "s = ['void main() {', '}'].join('\\n');",
-            &["void main() {\n   }"],
-        );
-        check(
-            "s = 'void main() {' + f(1) + '}';",
-            &["void main() {            }"],
-        );
-    }
-
-    #[test]
-    fn decoded_escapes_keep_their_width() {
-        check(
-            r"s = 'void main() { \
-}\t\x41\\\n';",
-            &["void main() {   }     A \\\n "],
-        );
-    }
-
-    #[test]
-    fn holes_become_names_numbers_or_nothing() {
-        check(
-            "s = `void main() {\n${a}\nx = ${b};y = ${c}.0; z = vec${d}(1);}`",
-            &["void main() {\n    \nx = hhhh;y = 1111.0; z = vechhh1(1);}"],
-        );
-    }
-
-    #[test]
-    fn interpolated_constants_are_inserted_and_other_values_are_holes() {
-        let holes = |text: &str| {
-            let mut found = Vec::new();
-            extract(text, 0, false, &NoModules, &mut found);
-            found.iter().map(|s| s.has_holes).collect::<Vec<_>>()
-        };
-        let sum = "const N = { max: 4 }; const s = `float a[${N.max + 1}]; void main() {}`;";
-        check(sum, &["float a[5           ]; void main() {}"]);
-        let constant = "const PR = 'highp'; const s = `precision ${PR} float; void main() {}`;";
-        check(constant, &["precision highp float; void main() {}"]);
-        assert_eq!(holes(constant), [false]);
-        assert_eq!(holes("s = 'void main() {}' + x;"), [true]);
-        assert_eq!(holes("s = x + /* glsl */ 'void main() {}';"), [true]);
-        assert_eq!(holes("let s = 'void main() {'; s += x;"), [true]);
-        assert_eq!(holes("s.replace(a, /* glsl */ 'void main() { b;')"), [true]);
-        assert_eq!(holes("s = 'float a = {{ b }}; void main() {}'"), [true]);
-        check(
-            "s = 'float a[' + n + ']; void main() {}'.concat(b, 'float c;')",
-            &["float a[hhhhhhhhh]; void main() {}             float c;"],
-        );
-        check(
-            "s = ['void main() {', a ? 'b' : '', '}'].filter(c).join('\\n')",
-            &["void main() {\n                \n}"],
-        );
-    }
-
-    #[test]
-    fn literals_without_shaders_are_skipped() {
-        check("s.replace('void main() {', 'void main() {\\n x;')", &[]);
-        check("if (s === '#version 300 es') {}", &[]);
-        check("s = '#version 300 es\\n' + x;", &[]);
-        check("throw new Error('no void main() { in it')", &[]);
-        check("const a = 'float f(float b) { return b; }';", &[]);
-        let part = "float f(float b) { return b; }";
-        check(&format!("const aFrag = '{part}';"), &[part]);
-        let clear = "vec3 f(vec2 b) { return vec3(b, 1.); }";
-        check(&format!("a('{clear}');"), &[clear]);
-    }
-
-    #[test]
-    fn text_that_the_script_trims_is_trimmed() {
-        check("s = `\n#version 300 es\nx`.trim()", &["#version 300 es\nx"]);
-        check(
-            "s = `\n#version 300 es\nx`.slice(1)",
-            &["#version 300 es\nx"],
-        );
-        check("s = `\n#version 300 es\nx`", &["\n#version 300 es\nx"]);
-    }
 }

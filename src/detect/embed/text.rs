@@ -5,6 +5,7 @@ use super::embedded::ImportedTexts;
 use super::embedded::InsertedPart;
 use super::hole::{Hole, HoleContent};
 use super::holes::fill;
+use crate::kind::{Chunk, Scanned, has_main};
 use crate::script::tree::{BindingValue, Export, NodeKind, ScriptNodeId, ScriptTree};
 use std::cell::Cell;
 use std::collections::HashSet;
@@ -158,8 +159,64 @@ impl<'s> Texts<'s> {
                     .for_each(|c| self.parts(*c, found));
             }
             NodeKind::Call => self.parts_of_call(id, found),
+            NodeKind::Array if self.is_list(id) => self.elements(&node.children, true, found),
             _ => found.push(JoinedPart::Other(id)),
         }
+    }
+
+    /// The parts of the elements of an array, perhaps with a line break between them.
+    fn elements(&self, all: &[ScriptNodeId], are_lines: bool, found: &mut Vec<JoinedPart>) {
+        for (index, element) in all.iter().enumerate() {
+            if index > 0 && are_lines {
+                found.push(JoinedPart::Line);
+            }
+            self.parts(*element, found);
+        }
+    }
+
+    /// Whether an array lists the texts of one shader: names of texts, of which only the last has an entry
+    /// function. The script joins them elsewhere.
+    fn is_list(&self, array: ScriptNodeId) -> bool {
+        let node = self.tree.node(array).filter(|n| n.kind == NodeKind::Array);
+        let names = node.map_or(&[][..], |n| &n.children);
+        let texts: Option<Vec<&str>> = names.iter().map(|id| self.named(*id)).collect();
+        let is_part = |text: &&str| !has_main(text) && Scanned::of(text).chunk() != Chunk::No;
+        let hole = |id: &ScriptNodeId| format!("${{{}", self.name(*id));
+        let inserts = |text: &str| names.iter().any(|id| text.contains(&hole(id)));
+        texts.is_some_and(|texts| match texts.split_last() {
+            Some((last, others)) if !others.is_empty() => {
+                let is_last = has_main(last) && !last.contains("#version") && !inserts(last);
+                is_last && others.iter().all(is_part)
+            }
+            _ => false,
+        })
+    }
+
+    fn name(&self, id: ScriptNodeId) -> &'s str {
+        self.tree.node(id).map_or("", |node| self.slice(&node.span))
+    }
+
+    /// The code of the expression that a name refers to.
+    fn named(&self, id: ScriptNodeId) -> Option<&'s str> {
+        let node = self.tree.node(id).filter(|n| n.kind == NodeKind::Name)?;
+        match self.tree.binding(self.name(id), node.span.start)?.value {
+            BindingValue::Node(value) => Some(self.name(value)),
+            _ => None,
+        }
+    }
+
+    /// Whether an expression joins texts of names, for one of which this holds.
+    pub fn joins(&self, id: ScriptNodeId, holds: impl Fn(&str) -> bool) -> bool {
+        let mut parts = Vec::new();
+        self.parts(id, &mut parts);
+        let names = parts.iter().flat_map(|part| match part {
+            JoinedPart::Other(id) => std::slice::from_ref(id),
+            // What a template inserts.
+            JoinedPart::Literal(id) => self.tree.node(*id).map_or(&[][..], |n| &n.children),
+            JoinedPart::Line => &[],
+        });
+        let texts: Option<Vec<&str>> = names.map(|id| self.named(*id)).collect();
+        texts.is_some_and(|texts| texts.len() > 1 && texts.into_iter().any(holds))
     }
 
     fn parts_of_call(&self, call: ScriptNodeId, found: &mut Vec<JoinedPart>) {
@@ -182,12 +239,7 @@ impl<'s> Texts<'s> {
                 let separator = separator.map_or("", |s| self.slice(&s.span));
                 let is_line = separator.contains("\\n") || separator.contains('\n');
                 let array = self.array(object).and_then(|a| self.tree.node(a));
-                for (index, element) in array.iter().flat_map(|a| &a.children).enumerate() {
-                    if index > 0 && is_line {
-                        found.push(JoinedPart::Line);
-                    }
-                    self.parts(*element, found);
-                }
+                self.elements(array.map_or(&[], |a| &a.children), is_line, found);
             }
             (Some(object), Some("concat")) => {
                 self.parts(object, found);
@@ -223,6 +275,7 @@ impl<'s> Texts<'s> {
     pub fn joins_names(&self, id: ScriptNodeId) -> bool {
         let is_joined = match self.tree.node(id).map(|n| &n.kind) {
             Some(NodeKind::Sum) => true,
+            Some(NodeKind::Array) => self.is_list(id),
             Some(NodeKind::Call) => {
                 let callee = self.tree.child(id, 0);
                 let callee = callee.filter(|c| self.tree.child(*c, 0).is_some());

@@ -1,16 +1,19 @@
-//! How a script uses its shaders: which ones it combines to a program, and which uniforms it sets.
+//! How a script uses its shaders: which ones it combines to a program, of which texts it makes one, as in
+//! `load("common.frag") + load("own.frag")`, and which uniforms it sets.
 
 use super::DocumentLanguage;
 use super::embedded::Embedded;
 use super::html;
 use crate::script::parse;
 use crate::script::token::{ScriptTokenKind, tokens};
-use crate::script::tree::{NodeKind, ScriptNode, ScriptNodeId, ScriptTree};
+use crate::script::tree::{BindingValue, NodeKind, ScriptNode, ScriptNodeId, ScriptTree};
 use std::collections::HashMap;
 use std::ops::Range;
 
 /// Maximum number of shaders in one expression.
 const MAX_GROUP: usize = 8;
+/// Maximum number of expressions that lead from one to the next.
+const MAX_NAMES: usize = 8;
 
 /// The shaders that occur together in an expression of a script: a call, an object, a function. Indices
 /// refer to `all`.
@@ -212,63 +215,54 @@ fn names_of(text: &str, tree: &ScriptTree, node: &ScriptNode) -> Vec<Range<usize
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::super::extract;
-    use super::*;
-
-    /// Checks the groups of shaders in a script; each shader is `void main() { NAME; }`.
-    #[track_caller]
-    fn check(text: &str, expected: &str) {
-        let language = if text.starts_with('<') {
-            DocumentLanguage::Html
-        } else {
-            DocumentLanguage::Script
+/// The lists of texts in the scripts of a file. A text is given by the path that it is imported or loaded from, or
+/// by the string that it is; `None` if neither is known.
+pub fn lists(language: DocumentLanguage, text: &str) -> Vec<Vec<Option<String>>> {
+    let mut found = Vec::new();
+    for script in scripts(language, text) {
+        let text = text.get(script).unwrap_or("");
+        let tree = parse(text);
+        let is_list = |kind| {
+            matches!(
+                kind,
+                &NodeKind::Array | NodeKind::Sum | NodeKind::Template(_)
+            )
         };
-        let all = extract(language, text);
-        let name = |i: &usize| all[*i].code.split(['{', ';']).nth(1).unwrap().trim();
-        let groups = together(language, text, &all);
-        let groups: Vec<String> = groups
-            .iter()
-            .map(|g| g.iter().map(name).collect::<Vec<_>>().join("+"))
-            .collect();
-        assert_eq!(groups.join(" "), expected, "{text}");
+        let lists = tree.nodes.iter().filter(|node| is_list(&node.kind));
+        for list in lists.filter(|list| list.children.len() > 1) {
+            let texts = list.children.iter();
+            found.push(texts.map(|id| source(text, &tree, *id, 0)).collect());
+        }
     }
+    found
+}
 
-    #[test]
-    fn shaders_used_by_the_same_call_are_paired() {
-        check(
-            "const v = `void main() { a; }`; const f = \"void main() { b; }\"; link(gl, v, f);",
-            "a+b",
-        );
-        check(
-            "x({ vertexShader: `void main() { a; }`, fragmentShader: glsl`void main() { b; }` });\
-             x({ vertexShader: `void main() { c; }`, fragmentShader: `void main() { d; }` });",
-            "a+b c+d",
-        );
-        check(
-            "const v = `void main() { a; }`, f = `void main() { b; }`; x.v = f; x({ v: 1, f });",
-            "",
-        );
-        check(
-            "<script type=\"x-shader/x-vertex\" id=\"v\">void main() { a; }</script>\
-             <script type=\"x-shader/x-fragment\" id=\"f\">void main() { b; }</script>\
-             <script>link(get('v'), document.querySelector('#f'));</script>",
-            "a+b",
-        );
-    }
-
-    #[test]
-    fn queried_uniforms_are_found() {
-        let text = "m({ uniforms: { uA: { value: x ? y : z }, 'uB': b, ...c } });\
-            a = gl.getUniformLocation(p[1], \"uTime\"); gl.getUniformLocation(p, name);\
-            gl.getUniformLocation(p, 'uLight[0].color'); gl.getUniformLocation(p, 'u' + i);";
-        let all = asked(DocumentLanguage::Script, text);
-        let names: Vec<_> = all
-            .iter()
-            .map(|a| (a.name.as_str(), &text[a.range.clone()]))
-            .collect();
-        let expected = ["uA", "uB", "uTime", "uLight"];
-        assert_eq!(names, expected.map(|n| (n, n)));
+/// The path or the string that stands for the text of an expression.
+fn source(text: &str, tree: &ScriptTree, id: ScriptNodeId, depth: usize) -> Option<String> {
+    let node = tree.node(id).filter(|_| depth < MAX_NAMES)?;
+    let own = text.get(node.span.clone())?;
+    let inner = |id: ScriptNodeId| source(text, tree, id, depth + 1);
+    match &node.kind {
+        _ if node.is_constant() => Some(own.to_string()),
+        NodeKind::Name => match &tree.binding(own, node.span.start)?.value {
+            BindingValue::Import(path, _) => Some(path.clone()),
+            BindingValue::Node(value) => inner(*value),
+            BindingValue::Unknown => None,
+        },
+        NodeKind::Sum => node.children.iter().map(|id| inner(*id)).collect(),
+        // `await`
+        NodeKind::Other => node.children.first().and_then(|id| inner(*id)),
+        NodeKind::Call => {
+            let (callee, arguments) = node.children.split_first()?;
+            let paths = arguments.iter().filter_map(|id| inner(*id));
+            let mut paths = paths.filter(|path| path.contains('.'));
+            match (paths.next(), paths.next()) {
+                (Some(path), None) => Some(path),
+                // `load(path).then(...)`
+                (None, _) => inner(tree.child(*callee, 0)?),
+                _ => None,
+            }
+        }
+        _ => None,
     }
 }
