@@ -366,6 +366,97 @@ fn a_shader_file_is_read_as_the_scripts_that_import_it_use_it() {
     );
 }
 
+/// Checks `own.frag`, whose `main` calls a function, as a script uses it beside `lib.frag` and `rest.frag`.
+#[track_caller]
+fn check_joined(script: &str, call: &str, expected: &[&str]) {
+    let head = "precision highp float;\n";
+    let own = format!("{head}void main() {{ gl_FragColor = vec4({call}); }}\n");
+    let lib = format!("{head}uniform float scale;\nfloat wave(float x) {{ return x * scale; }}\n");
+    let vertex = "attribute vec4 at;\nvoid main() { gl_Position = at; }\n";
+    check(
+        &[
+            ("own.frag", &own),
+            ("lib.frag", &lib),
+            ("rest.frag", "float ripple(float x) { return x; }\n"),
+            ("quad.vert", vertex),
+            ("a.js", script),
+            ("package.json", "{}"),
+        ],
+        expected,
+    );
+}
+
+#[test]
+fn files_that_a_script_joins_are_one_shader() {
+    let undeclared = |severity: &str, name: &str| {
+        format!("own.frag:2:35: {severity}[undeclared-name]: function `{name}` is not declared")
+    };
+    let lists = [
+        "program('quad.vert', ['lib.frag', 'own.frag']);",
+        "['lib.frag', 'own.frag'].map(load);",
+        "program({ fragment: [load('lib.frag'), load('own.frag')] });",
+        "compile(gl.FRAGMENT_SHADER, (await load('lib.frag')) + (await load('own.frag')));",
+        "import lib from './lib.frag'; import own from './own.frag';\nprogram([lib, own].join('\\n'));",
+        "const lib = get('./lib.frag?raw'), own = get('./own.frag?raw');\nprogram(`${lib}${own}`);",
+    ];
+    for list in lists {
+        // The functions of the others are known, with their types.
+        check_joined(list, "wave(1.0)", &[]);
+        check_joined(
+            list,
+            "wave(true)",
+            &[
+                "own.frag:2:40: error[argument-mismatch]: expected `float` as argument 1 of `wave`, found `bool`",
+            ],
+        );
+        // The file that declares it is loaded elsewhere, but not joined.
+        let elsewhere = format!("{list}\nload('rest.frag');\n");
+        let error = undeclared("error", "ripple");
+        check_joined(&elsewhere, "ripple(1.0)", &[&error]);
+    }
+    // What else is joined is not known.
+    let open = "program([prefix, load('lib.frag'), load('own.frag')]);\nload('rest.frag');\n";
+    check_joined(open, "wave(1.0)", &[]);
+    check_joined(open, "ripple(1.0)", &[&undeclared("warning", "ripple")]);
+    // Stages are not one shader, and the order counts.
+    let stages = "link(['quad.vert', 'lib.frag', 'own.frag']);";
+    check_joined(stages, "wave(1.0)", &[&undeclared("warning", "wave")]);
+}
+
+/// Checks a script that compiles what an expression joins from `lib` and `own`, whose `main` calls a function.
+#[track_caller]
+fn check_strings(joined: &str, call: &str, expected: &[&str]) {
+    let head = "precision highp float;";
+    let text = format!(
+        "const lib = `{head}\nfloat wave(float x) {{ return x; }}\n`;\n\
+        const own = `{head}\nvoid main() {{ gl_FragColor = vec4({call}); }}\n`;\n\
+        const gl = c.getContext('webgl'), s = gl.createShader(gl.FRAGMENT_SHADER);\n\
+        const compile = (text) => {{ gl.shaderSource(s, text); gl.compileShader(s); }};\n\
+        compile({joined});\n"
+    );
+    check(&[("a.js", &text), ("package.json", "{}")], expected);
+}
+
+#[test]
+fn strings_that_a_script_joins_are_one_shader() {
+    for joined in [
+        "lib + own",
+        "[lib, own]",
+        "[lib, own].join('\\n')",
+        "`${lib}${own}`",
+    ] {
+        check_strings(joined, "wave(1.0)", &[]);
+        let error = "a.js:5:40: error[argument-mismatch]: expected `float` as argument 1 of `wave`, found `bool`";
+        check_strings(joined, "wave(true)", &[error]);
+        let error = "a.js:5:35: error[undeclared-name]: function `ripple` is not declared";
+        check_strings(joined, "ripple(1.0)", &[error]);
+    }
+    // The function that compiles it may put the other text before.
+    check_strings("own", "wave(1.0)", &[]);
+    // Two entry functions are two shaders, and a text may insert another itself.
+    check_strings("[own, lib, own]", "sin(1.0)", &[]);
+}
+
 #[test]
 fn functions_that_a_host_calls_are_checked_with_its_names() {
     let effect = "uniform float strength;\n\

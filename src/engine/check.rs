@@ -6,8 +6,8 @@ use crate::findings::report::Report;
 use crate::findings::stage::{FileCheck, FindingStage, ShaderCheck, Unresolved};
 use crate::findings::{STAGES, partner};
 use crate::hosts::host::{Handed, Hosts};
-use crate::hosts::hosted;
 use crate::hosts::webgl::context;
+use crate::hosts::{hosted, joined};
 use crate::options::{DialectChoice, Options};
 use crate::shader::analysis::Analysis;
 use crate::shader::reading::lacking;
@@ -19,7 +19,7 @@ use shaderlint_diagnostic::{Diagnostic, Facet, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::Preset;
 use shaderlint_lint::{Allows, CheckedSpans, SkippedRules};
-use shaderlint_project::Files;
+use shaderlint_project::{Files, Hushed};
 use shaderlint_semantic::Completeness;
 use shaderlint_text::{Content, Encoding, FileId, Role, Sources, Span};
 use std::collections::BTreeSet;
@@ -183,7 +183,8 @@ fn check_shaders(file: &mut FileCheck, keep: Keep) {
     for part in &mut file.parts {
         let options = file.context.options;
         let embedded = part.embedded.and_then(|at| report.embedded.get(at));
-        let Some(checked) = understand(&mut report.sources, part, embedded, &hosts, options) else {
+        let hushed = &mut file.hushed;
+        let Some(checked) = understand(&mut report.sources, part, embedded, &hosts, hushed) else {
             continue;
         };
         let mut shader = ShaderCheck {
@@ -255,8 +256,9 @@ fn understand(
     part: &mut ShaderInput,
     embedded: Option<&Embedded>,
     hosts: &Hosts,
-    options: &Options,
+    hushed: &mut Hushed,
 ) -> Option<Checked> {
+    let options = hosts.context().options;
     let is_open = options.dialect == DialectChoice::Auto
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
@@ -276,8 +278,13 @@ fn understand(
     }
     let context = context(sources, &part.readings, hosts, options, given.as_slice());
     part.readings.set_context(context);
-    let checked = part.readings.check(sources, part.infer_channels)?;
-    let lacking = lacking(&checked);
+    let mut checked = part.readings.check(sources, part.infer_channels)?;
+    let mut lacks = lacking(&checked);
+    if let Some(joined) = joined::join(sources, part, (&checked, &lacks), hosts, hushed) {
+        checked = joined;
+        lacks = lacking(&checked);
+    }
+    let lacking = lacks;
     if (lacking.is_some() || hosted::given_composer(options).is_some())
         && part.host.is_none()
         && let Some(composed) = hosted::compose(sources, part, hosts, options)

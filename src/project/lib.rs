@@ -40,7 +40,9 @@ pub use files::words::{counts, hash};
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use include::gathered::{GatheredText, gather};
 pub use include::script::{ModuleCache, ScriptModules};
-pub use include::{Absence, FileMoves, Hushed, MissingInclude, Spread, moved_includes, spread};
+pub use include::{
+    Absence, FileMoves, Hushed, JoinedFiles, MissingInclude, Spread, moved_includes, spread,
+};
 pub use input::assumed::AssumedInput;
 pub use input::channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};
 pub use input::export::{MAX_EXPORT, ProjectError, exports_in};

@@ -34,7 +34,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         report_inactive(checked, &vocabulary, hosts);
     }
     if checked.completeness == Completeness::Complete {
-        return leave_macros(checked, hosts);
+        return leave_macros(checked, hosts, part.is_joined);
     }
     let mut unknown = checked.open.unknown.clone();
     if !unknown.is_empty() {
@@ -93,7 +93,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
 
 /// Leaves open what a script defines as a macro of a complete shader, which its host inserts after
 /// `#version`, and lowers errors about functions of files that a script may put before it.
-fn leave_macros(checked: &mut Checked, hosts: &Hosts) {
+fn leave_macros(checked: &mut Checked, hosts: &Hosts, is_joined: bool) {
     let sources = &checked.program.sources;
     let is_macro =
         |d: &Diagnostic| d.lacks() == Some(Lack::Name) && hosts.is_given(sources.text(d.span));
@@ -106,10 +106,10 @@ fn leave_macros(checked: &mut Checked, hosts: &Hosts) {
     let is_missing =
         |d: &&mut Diagnostic| d.lacks() == Some(Lack::Name) && d.fix.is_none() && is_call(d);
     for d in missing.filter(is_missing) {
-        if hosts.may_be_joined(sources.text(d.span)) {
+        if !is_joined && hosts.may_be_joined(sources.text(d.span)) {
             d.severity = Severity::Warning;
             d.notes.push(
-                "a file without `main` declares it: right if a script puts both together"
+                "a text without `main` declares it: right if a script puts both together"
                     .to_string(),
             );
         }

@@ -5,13 +5,13 @@ use crate::check_context::CheckContext;
 use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::embed::{
-    AskedWebGl, DocumentLanguage, Embedded, ParsedScript, ShaderReceiver,
+    AskedWebGl, DocumentLanguage, Embedded, ParsedScript, ShaderReceiver, lists,
 };
-use shaderlint_detect::kind::file_extension;
+use shaderlint_detect::kind::{file_extension, has_main};
 use shaderlint_host::{ChunkLibrary, Preset, presets};
 use shaderlint_project::{
-    NamesForOthers, counts, hash, imported_hosts, installed_hosts, installed_release, macros,
-    meant, uses_installed,
+    FileType, JoinedFiles, NamesForOthers, counts, hash, imported_hosts, installed_hosts,
+    installed_release, macros, meant, uses_installed,
 };
 use shaderlint_text::path::plain;
 use std::cell::{LazyCell, OnceCell};
@@ -23,6 +23,8 @@ use std::sync::Arc;
 const MAX_HOSTS: usize = 4;
 /// Maximum number of scripts that import a file and are read.
 const MAX_IMPORTERS: usize = 8;
+/// Maximum number of texts in a list that a script joins.
+const MAX_JOINED: usize = 16;
 
 /// Detects the hosts for the texts of one file.
 pub struct Hosts<'a> {
@@ -351,11 +353,66 @@ impl<'a> Hosts<'a> {
         cache.may_be_declared(word, &file, files)
     }
 
-    /// Whether a part of a shader in another file declares a name, and a script loads the text, so that it
-    /// may put both together.
+    /// Whether a part of a shader in another file or in the script declares a name, so that a script may put it
+    /// before the text.
     pub fn may_be_joined(&self, word: &str) -> bool {
         let cache = &self.context.options.file_cache;
         self.is_imported() && cache.may_be_declared(word, &self.file(), self.context.files)
+            || self.script.is_some() && self.may_be_declared_in_script(word, usize::MAX)
+    }
+
+    /// The files that scripts join to this one, which has the entry function.
+    pub fn joined(&self) -> Vec<JoinedFiles> {
+        if !self.is_imported() {
+            return Vec::new();
+        }
+        let files = self.context.files;
+        let file = self.file();
+        let own = file.file_name().unwrap_or_default().to_string_lossy();
+        let mut found = Vec::new();
+        let mut is_all = true;
+        for (path, text) in self.importers() {
+            let top = self.context.options.file_cache.top(path, files);
+            let language = DocumentLanguage::of_extension(&file_extension(&path.to_string_lossy()));
+            let is_file = |path: &PathBuf| files.entry(path) == Some(FileType::File);
+            let path_of = |text: &Option<String>| {
+                let text = text.as_ref().filter(|text| text.contains('.'))?;
+                meant(text, path, &top).into_iter().find(is_file)
+            };
+            let count = found.len();
+            for list in language.map_or(Vec::new(), |language| lists(language, text)) {
+                if list.len() > MAX_JOINED || !list.iter().flatten().any(|t| t.contains(&*own)) {
+                    continue;
+                }
+                let all: Vec<Option<PathBuf>> = list.iter().map(path_of).collect();
+                let mut own = all
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, p)| p.as_ref() == Some(&file));
+                let (Some((at, _)), None) = (own.next(), own.next()) else {
+                    continue;
+                };
+                let is_entry = |path: &PathBuf| files.load(path).is_ok_and(|t| has_main(&t));
+                let part = |range: &[Option<PathBuf>]| range.iter().flatten().cloned().collect();
+                let (before, after) = (
+                    all.get(..at).unwrap_or(&[]),
+                    all.get(at + 1..).unwrap_or(&[]),
+                );
+                let mut others = before.iter().chain(after).flatten();
+                if others.clone().next().is_none() || others.any(is_entry) {
+                    continue;
+                }
+                is_all &= all.iter().all(Option::is_some);
+                found.push(JoinedFiles {
+                    before: part(before),
+                    after: part(after),
+                    is_all: true,
+                });
+            }
+            is_all &= found.len() > count;
+        }
+        found.iter_mut().for_each(|list| list.is_all = is_all);
+        found
     }
 
     /// Whether a script around a text that uses a word `count` times contains it too.

@@ -2,4 +2,5 @@
 
 pub mod host;
 pub mod hosted;
+pub mod joined;
 pub mod webgl;

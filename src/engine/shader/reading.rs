@@ -208,6 +208,21 @@ impl Readings {
         Some(found)
     }
 
+    /// The readings of the text with the files that a script joins to it.
+    pub fn with_files(
+        &self,
+        sources: &mut Sources,
+        (files, is_open): (Vec<FileId>, bool),
+        options: &Options,
+    ) -> Option<Readings> {
+        let text = InputText {
+            files,
+            is_open,
+            ..self.text.clone()
+        };
+        Readings::of(sources, ("", self.guessed), text, options)
+    }
+
     /// The names of the chunks that the text includes and that some host has.
     pub fn chunks(&self) -> &[String] {
         &self.chunks

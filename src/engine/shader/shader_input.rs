@@ -27,6 +27,8 @@ pub struct ShaderInput {
     pub mipmapped: [Option<bool>; 4],
     /// Includes that were not found.
     pub missing: Vec<MissingInclude>,
+    /// Whether its files are all that scripts make a shader of.
+    pub is_joined: bool,
     /// The host that composes the shader, if the composed text is what is checked.
     pub host: Option<&'static Preset>,
     /// The checked shader, if it is kept.
@@ -43,6 +45,7 @@ impl ShaderInput {
             embedder: Embedder::default(),
             mipmapped: [None; 4],
             missing: Vec::new(),
+            is_joined: false,
             host: None,
             analysis: None,
         }

@@ -7,7 +7,7 @@ use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::mask;
 use shaderlint_detect::kind::file_extension;
-use shaderlint_project::{is_common, spread};
+use shaderlint_project::{JoinedFiles, is_common, spread};
 use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
 use shaderlint_text::FileId;
 use std::sync::Arc;
@@ -40,7 +40,9 @@ pub fn shader_part(
             Vec::new(),
         ),
         None => {
-            let own = spread(&mut input.sources, name, file, text, context.file_access())?;
+            let joined = JoinedFiles::default();
+            let access = context.file_access();
+            let own = spread(&mut input.sources, (name, file, text), &joined, access)?;
             input.problems.extend(own.problems);
             input.hushed.extend(own.hushed);
             (own.files, own.is_open, own.missing)

@@ -46,6 +46,17 @@ pub struct Spread {
     pub hushed: Hushed,
 }
 
+/// The files that a script joins to a shader.
+#[derive(Default)]
+pub struct JoinedFiles {
+    /// The files before it.
+    pub before: Vec<PathBuf>,
+    /// The files after it.
+    pub after: Vec<PathBuf>,
+    /// Whether the script joins nothing else to it.
+    pub is_all: bool,
+}
+
 /// An include that was not found.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MissingInclude {
@@ -109,12 +120,11 @@ impl Hushed {
 }
 
 /// Includes the files that directives name, the Common file of a ShaderToy project before its
-/// passes, and the tested file before its tests.
+/// passes, the tested file before its tests, and the files that a script puts before and after the shader.
 pub fn spread(
     sources: &mut Arc<Sources>,
-    name: &str,
-    file: FileId,
-    text: &str,
+    (name, file, text): (&str, FileId, &str),
+    joined: &JoinedFiles,
     context: FileAccess,
 ) -> Option<Spread> {
     let found = |path: Option<PathBuf>| path.and_then(|path| context.load(&path).ok());
@@ -125,16 +135,22 @@ pub fn spread(
     };
     let tested = subject.as_ref().map(|s| &*s.file.text);
     let test_prelude = subject::test_prelude(name, text, tested);
-    let before = found(common).into_iter().chain(subject);
     let mut spreader = Spreader::new(sources, name, context);
-    for found in before {
-        spreader.put_before(found)?;
+    for found in found(common).into_iter().chain(subject) {
+        spreader.put_beside(found)?;
+    }
+    let load = |path: &PathBuf| context.load(&context.relative(path)).ok();
+    for found in joined.before.iter().filter_map(load) {
+        spreader.put_beside(found)?;
     }
     if let Some(test_prelude) = test_prelude {
         let prelude = spreader.prelude(test_prelude)?;
         spreader.found.files.push(prelude);
     }
     spreader.shader(name, file, text)?;
+    for found in joined.after.iter().filter_map(load) {
+        spreader.put_beside(found)?;
+    }
     Some(spreader.found)
 }
 
@@ -241,9 +257,9 @@ impl<'r, 'w> Spreader<'r, 'w> {
         self.run()
     }
 
-    /// Includes a file before the shader. Its findings are not reported here if it is checked
+    /// Includes a file before or after the shader. Its findings are not reported here if it is checked
     /// itself.
-    fn put_before(&mut self, found: FoundFile) -> Option<()> {
+    fn put_beside(&mut self, found: FoundFile) -> Option<()> {
         let text = found.file.text.clone();
         let seen = SeenFile {
             is_conditional: false,
