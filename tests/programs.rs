@@ -458,6 +458,32 @@ fn strings_that_a_script_joins_are_one_shader() {
 }
 
 #[test]
+fn a_text_before_each_shader_declares_names_for_it() {
+    let run = |compiled: &str, name: &str, expected: &[&str]| {
+        let text = format!(
+            "const gl = c.getContext('webgl'), head = `uniform float time;\n#define PI 3.14\n`;\n\
+            const own = `precision highp float;\nvoid main() {{ gl_FragColor = vec4({name} * PI); }}`;\n\
+            const compile = (shader, text) => {{ {compiled}; gl.compileShader(shader); }};\n\
+            compile(gl.createShader(gl.FRAGMENT_SHADER), own);\n"
+        );
+        check(&[("a.js", &text), ("package.json", "{}")], expected);
+    };
+    let joined = [
+        "gl.shaderSource(shader, head + text)",
+        "gl.shaderSource(shader, `${head}${text}`)",
+        "const all = head + text; gl.shaderSource(shader, all)",
+        "text = head + text; gl.shaderSource(shader, text)",
+    ];
+    let error = "a.js:5:35: error[undeclared-name]: `phase` is not declared";
+    for compiled in joined {
+        run(compiled, "time", &[]);
+        run(compiled, "phase", &[error]);
+    }
+    let pi = "a.js:5:43: error[undeclared-name]: `PI` is not a GLSL constant";
+    run("gl.shaderSource(shader, text)", "phase", &[error, pi]);
+}
+
+#[test]
 fn functions_that_a_host_calls_are_checked_with_its_names() {
     let effect = "uniform float strength;\n\
         void mainImage(const in vec4 inputColor, const in vec2 uv, out vec4 outputColor) {\n\

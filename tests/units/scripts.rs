@@ -1,7 +1,8 @@
 //! What scripts and pages say about shaders: which texts they hold, join, pair, set and name.
 
 use shaderlint_detect::embed::{
-    AskedWebGl, DocumentLanguage, MentionKind, NameRole, asked, extract, lists, mentions, together,
+    AskedWebGl, DocumentLanguage, Embedder, LeadingBlanks, MentionKind, NameRole, asked, extract,
+    lists, mentions, together,
 };
 
 #[track_caller]
@@ -228,6 +229,30 @@ fn names_of_inputs_are_found_in_scripts() {
     input("material.uniforms.<name>.value = 1; uniforms['<name>'] = name; mesh.?name?.x = 2;");
     input("gl.transformFeedbackVaryings(p, ['a', '<name>'], 1); shader.setUniform('<name>', 1);");
     input("log('?name?'); const { ?name? } = uniforms; call(a, name);");
+}
+
+#[test]
+fn optional_members_updates_and_elements_refer_to_inputs() {
+    let text = "c = uniforms?.name.value; uniforms.name++; a = <Quad uniforms={{ name: 1 }} />;\
+        b = `x${name};`; function f({ uniforms }) {}";
+    let all = mentions(DocumentLanguage::Script, text, "name", NameRole::Input);
+    let found = all.iter().map(|m| (&text[m.range.clone()], m.kind));
+    let expected = [("name", MentionKind::Name); 3];
+    assert_eq!(found.collect::<Vec<_>>(), expected);
+}
+
+#[test]
+fn calls_are_found_in_scripts_that_cannot_be_parsed() {
+    let deep = "(".repeat(300);
+    for rest in ["", "}", &deep] {
+        let text = format!("gl.shaderSource(s, t.trim()); // gl.shaderSource\n{rest}");
+        let found = Embedder::of(DocumentLanguage::Script, &text);
+        assert!(found.hands_over, "{rest}");
+        assert_eq!(found.leading_blanks, LeadingBlanks::Trimmed, "{rest}");
+    }
+    let comment = "// gl.shaderSource(s, t)\nconst a = 'gl.shaderSource(s, t)';";
+    let found = Embedder::of(DocumentLanguage::Script, comment);
+    assert_eq!(found, Embedder::default());
 }
 
 #[test]

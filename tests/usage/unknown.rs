@@ -235,7 +235,7 @@ void main() {
 }
 
 #[test]
-fn functions_of_files_that_a_script_joins_are_warnings() {
+fn functions_of_files_that_a_script_joins_are_found() {
     let shader = "precision highp float;\nvoid main() { gl_FragColor = vec4(glow(1.0)); }\n";
     let part = ("part.glsl", "float glow(float x) { return x * x; }\n");
     let of = |severity: &str| {
@@ -252,5 +252,10 @@ fn functions_of_files_that_a_script_joins_are_warnings() {
         ("a.js", script),
         ("package.json", "{}"),
     ];
+    check(&files, &[]);
+    // Each may be put before other files.
+    let script = "['part.glsl', 'other.frag', 'a.frag'].forEach(load);";
+    let other = ("other.frag", "void main() { gl_FragColor = vec4(1.0); }\n");
+    let files = [files[0], part, other, ("a.js", script), files[3]];
     check(&files, &[&of("warning")]);
 }

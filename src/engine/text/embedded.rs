@@ -42,8 +42,8 @@ pub fn parts(
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     // A script that contains `#version` may write it before any of its shaders.
-    let is_compiled =
-        embedder.hands_over && !text.contains("#version") && !writes_precision(text, &all);
+    let is_unchanged = embedder.hands_over && !embedder.joins;
+    let is_compiled = is_unchanged && !text.contains("#version") && !writes_precision(text, &all);
     let is_document = matches!(
         language,
         DocumentLanguage::Markdown | DocumentLanguage::Html

@@ -57,7 +57,7 @@ pub fn gather(
     let mut spreader = Spreader::new(&mut sources, name, access);
     spreader.keeps_chunks = true;
     if let Some(common) = common.and_then(|path| access.load(path).ok()) {
-        spreader.put_beside(common)?;
+        spreader.put_beside(common, false)?;
         spreader.found.files.clear();
         spreader.found.missing.clear();
     }

@@ -137,11 +137,13 @@ pub fn spread(
     let test_prelude = subject::test_prelude(name, text, tested);
     let mut spreader = Spreader::new(sources, name, context);
     for found in found(common).into_iter().chain(subject) {
-        spreader.put_beside(found)?;
+        let is_hushed = context.is_checked(&found.name);
+        spreader.put_beside(found, is_hushed)?;
     }
     let load = |path: &PathBuf| context.load(&context.relative(path)).ok();
+    // What a script puts before all of them is not known, so their own findings are those without the shader.
     for found in joined.before.iter().filter_map(load) {
-        spreader.put_beside(found)?;
+        spreader.put_beside(found, true)?;
     }
     if let Some(test_prelude) = test_prelude {
         let prelude = spreader.prelude(test_prelude)?;
@@ -149,7 +151,7 @@ pub fn spread(
     }
     spreader.shader(name, file, text)?;
     for found in joined.after.iter().filter_map(load) {
-        spreader.put_beside(found)?;
+        spreader.put_beside(found, true)?;
     }
     Some(spreader.found)
 }
@@ -257,9 +259,8 @@ impl<'r, 'w> Spreader<'r, 'w> {
         self.run()
     }
 
-    /// Includes a file before or after the shader. Its findings are not reported here if it is checked
-    /// itself.
-    fn put_beside(&mut self, found: FoundFile) -> Option<()> {
+    /// Includes a file before or after the shader, whose findings may be reported elsewhere.
+    fn put_beside(&mut self, found: FoundFile, is_hushed: bool) -> Option<()> {
         let text = found.file.text.clone();
         let seen = SeenFile {
             is_conditional: false,
@@ -268,7 +269,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
         };
         self.seen.insert(found.real.clone(), seen);
         let id = self.add(&found.name, text)?;
-        if self.context.is_checked(&found.name) {
+        if is_hushed {
             self.found.hushed.0.insert(id, Hush::All);
         }
         self.open(found.name, found.real, id, found.file);
