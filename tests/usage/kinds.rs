@@ -361,14 +361,34 @@ fn only_glsl_is_changed_in_named_files() {
 }
 
 #[test]
-fn skipped_files_are_reported_in_one_line() {
-    let scratch = Scratch::new(&[("a.py", "x = 'void main() {}'\n")]);
-    let ran = scratch.run(&["a.py"]);
-    assert_eq!((ran.code, ran.out.as_str()), (0, ""));
-    assert_eq!(
-        ran.err,
-        "shaderlint: a.py: skipped: the extension indicates Python\n"
-    );
+fn named_files_without_a_shader_are_errors() {
+    let scratch = Scratch::new(&[
+        ("a.py", "x = 'void main() {}'\n"),
+        ("b.js", "const a = 1;\n"),
+        ("desktop.frag", "#version 450\nvoid main() {}\n"),
+        ("shaderlint.toml", "desktop = \"skip\"\n"),
+    ]);
+    let err = |args: &[&str], code: i32| {
+        let ran = scratch.run(args);
+        assert_eq!(ran.code, code, "{args:?}");
+        ran.err
+    };
+    let python = "shaderlint: a.py: not checked: the extension indicates Python\n";
+    let script = "shaderlint: b.js: not checked: it contains no text that is certainly GLSL\n";
+    assert_eq!(err(&["a.py"], 2), python);
+    // The second time from the cache.
+    assert_eq!(err(&["b.js"], 2), script);
+    assert_eq!(err(&["b.js"], 2), script);
+    assert_eq!(err(&["a.py", "b.js"], 2), [python, script].concat());
+    assert_eq!(err(&["."], 0), "");
+    let skipped = python.replace("not checked", "skipped");
+    assert_eq!(err(&["--force-exclude", "a.py", "b.js"], 0), skipped);
+    assert!(err(&["desktop.frag"], 0).contains("desktop.frag: skipped: "));
+}
+
+#[test]
+fn skipped_input_is_passed_on() {
+    let scratch = Scratch::new(&[]);
     let piped = scratch.pipe(
         "float a = 1;\n",
         &["--fix", "-", "--stdin-filename", "a.py"],

@@ -90,8 +90,11 @@ module.exports = function check(module, args) {
       return method({ ...options, name: input.name, files: others(input, texts) });
     } catch (error) {
       const isSkipped = error.message.startsWith(`${input.name}: skipped: `);
-      hasFailed ||= !isSkipped;
-      if (!isSkipped || (input.isNamed && args.quiet === 0)) say(error.message);
+      // Whoever names a file expects a shader in it.
+      const isLacking = isSkipped && input.isNamed && input.file;
+      hasFailed ||= !isSkipped || isLacking;
+      const message = isLacking ? error.message.replace(": skipped: ", ": not checked: ") : error.message;
+      if (!isSkipped || isLacking || (input.isNamed && args.quiet === 0)) say(message);
       input.isDone = true;
       return undefined;
     }

@@ -53,7 +53,7 @@ pub struct CheckArgs {
     #[arg(skip)]
     pub host: Option<&'static Preset>,
 
-    /// Apply the `exclude` setting to files named on the command line too
+    /// Treat named files like files in folders: `exclude` applies, and they may have no shader
     #[arg(long, help_heading = "Files")]
     pub force_exclude: bool,
     /// File name to use for standard input; its extension selects the kind of file
@@ -108,7 +108,7 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  No errors, and no findings of rules with `fail = true`
   1  Errors, findings of rules with `fail = true`, or too many warnings
-  2  Wrong usage, a file cannot be read or written, or a text is not GLSL";
+  2  Wrong usage, a file cannot be read or written, or a named file has no GLSL";
 
 /// The commands besides checking.
 #[derive(Subcommand, Debug)]

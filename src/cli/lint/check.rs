@@ -81,6 +81,7 @@ fn check_inputs(
         reported: Vec::new(),
         left: BTreeMap::new(),
         printed: HashSet::new(),
+        requires_shaders: !args.force_exclude,
         all_well: true,
     };
     let mut remaining_fix_mode = fix_mode;
@@ -107,6 +108,7 @@ fn check_inputs(
     let mode = CheckMode {
         fix: remaining_fix_mode,
         shows_readings: printer.reporter.shows_readings(),
+        requires_shaders: printer.requires_shaders,
         cache: cache.as_ref(),
     };
     check_all(inputs, configs, mode, &mut |input, outcome| {
@@ -151,6 +153,8 @@ struct FindingPrinter<'a> {
     left: BTreeMap<String, Vec<Diagnostic>>,
     /// The findings that were printed: several files may include the same one.
     printed: HashSet<FindingKey>,
+    /// Whether it is an error if a named file has no shader: not if a hook names all files.
+    requires_shaders: bool,
     /// Whether every input could be read and written.
     all_well: bool,
 }
@@ -199,11 +203,24 @@ impl FindingPrinter<'_> {
                 language.shader()
             ))?;
         }
+        if self.lacks_shaders(input, &checked) {
+            self.all_well = false;
+            let why = "not checked: it contains no text that is certainly GLSL";
+            self.print_message(&format!("{}: {why}", input.name))?;
+        }
         self.proofs(&input.name, &fixed.proofs)?;
         if let Some(applied) = fixed.applied {
             self.applied(input, applied)?;
         }
         self.report(input, checked)
+    }
+
+    /// Whether a named file is a document without shaders, not even such as are left out.
+    fn lacks_shaders(&self, input: &InputFile, checked: &CheckedText) -> bool {
+        let report = &checked.report;
+        let is_named = self.requires_shaders && input.is_explicit && input.path.is_some();
+        let has_shaders = checked.scope.shaders > 0 || !report.embedded().is_empty();
+        is_named && !has_shaders && report.language.is_none() && report.diagnostics.is_empty()
     }
 
     /// Prints a message on standard error.

@@ -6,7 +6,7 @@ use super::super::parallel::in_order;
 use super::cache::{Entry, FindingCache, Key, Recorder};
 use super::fix::{AppliedFixes, FixMode, FixOutcome};
 use crate::commands::{self, CheckedText, Recognition};
-use crate::detect::kind::is_searched;
+use crate::detect::kind::{FileKind, is_searched};
 use crate::engine::config::Configs;
 use crate::engine::{Options, Unread};
 use crate::project::Files;
@@ -44,6 +44,8 @@ pub struct CheckMode<'a> {
     pub fix: Option<FixMode>,
     /// Whether the output says how inputs were interpreted.
     pub shows_readings: bool,
+    /// Whether it is an error if a named file has no shader.
+    pub requires_shaders: bool,
     /// Findings of unchanged files.
     pub cache: Option<&'a FindingCache>,
 }
@@ -118,13 +120,16 @@ fn check_input(input: &InputFile, run: &CheckRun) -> Outcome {
     }
     match checked.text.report.unread {
         None => Outcome::Checked(Box::new(checked)),
-        // Whoever pipes a text as GLSL wants it checked.
-        Some(Unread::Skipped(decision)) if input.path.is_none() && is_asked_for(input, run) => {
-            Outcome::Failed(decision.to_string())
-        }
-        Some(Unread::Skipped(decision)) => {
-            Outcome::Skipped(decision.to_string(), checked.fixed.applied)
-        }
+        // Whoever pipes a text as GLSL wants it checked, and so does whoever names a file.
+        Some(Unread::Skipped(decision)) => match (&input.path, run.mode.requires_shaders) {
+            (None, _) if is_asked_for(input, run) => Outcome::Failed(decision.to_string()),
+            (Some(_), true)
+                if input.is_explicit && !matches!(decision.kind, FileKind::Foreign(_)) =>
+            {
+                Outcome::Failed(format!("not checked: {decision}"))
+            }
+            _ => Outcome::Skipped(decision.to_string(), checked.fixed.applied),
+        },
         Some(error @ Unread::NotGlsl) if !is_asked_for(input, run) => {
             Outcome::Skipped(error.to_string(), checked.fixed.applied)
         }
@@ -171,7 +176,9 @@ fn keep(
     let Some(asked) = recorder.asked() else {
         return;
     };
-    if checked.text.report.language.is_some() {
+    let report = &checked.text.report;
+    let is_left_out = report.shaders.is_empty() && !report.embedded().is_empty();
+    if report.language.is_some() || is_left_out {
         return;
     }
     let depends_on = asked.into_iter().map(|question| {
