@@ -14,7 +14,7 @@ use shaderlint_syntax::{
     DIRECTIVES, Expansion, Name, RawKind, Token, TokenKind, TokenSet, WordClass, classify, set,
     written_tokens,
 };
-use shaderlint_text::{Role, Span};
+use shaderlint_text::{Role, Span, is_respelled};
 use std::collections::BTreeSet;
 
 /// Maximum number of calls of empty macros that are considered.
@@ -143,6 +143,7 @@ impl<'p> ChunkReader<'p> {
             return false;
         }
         match d.certainty() {
+            _ if d.is(error::MISSING_MAIN) => !is_torn && self.is_misspelled_main(d.span),
             Certainty::Never => false,
             // Placeholders of template programs use ASCII characters.
             Certainty::Syntax if d.is(error::INVALID_CHARACTER) => {
@@ -151,6 +152,14 @@ impl<'p> ChunkReader<'p> {
             Certainty::Syntax => !self.is_torn_apart(d, is_torn) && !self.is_excused(d),
             Certainty::Meaning => self.depends_on_nothing(d) && self.means_that(d, is_torn),
         }
+    }
+
+    /// Whether a function is called `main` but for a typo, and nothing else names it.
+    fn is_misspelled_main(&self, span: Span) -> bool {
+        let word = self.program.sources.text(span);
+        let names = self.program.tokens.tokens.iter();
+        let same = names.filter(|t| self.program.sources.text(t.span) == word);
+        is_respelled(word, "main") && same.count() == 1
     }
 
     /// Whether an error is likely although a host could resolve it: a call does not match the only

@@ -4,6 +4,7 @@ use super::builtins::{BuiltinId, LEGACY_FUNCTIONS, Stage};
 use super::types::Sampler;
 use rustc_hash::FxHashSet;
 use shaderlint_syntax::{ConditionalGroups, Feature, GroupDirective, Version, WordClass, classify};
+use shaderlint_text::is_respelled;
 use std::ops::Range;
 
 /// Lookups that only GLSL ES 1.00 has, used in most of its shaders.
@@ -367,6 +368,8 @@ struct Seen {
     /// Whether a function with another name has the parameters of `mainImage`: `mainimage`, or a
     /// `main` that cannot have any.
     has_near_entry: bool,
+    /// A function without parameters that is called `main` but for a typo, and the number of its occurrences.
+    near_main: (String, u32),
     /// Number of occurrences of `mainImage`.
     entries: u32,
 }
@@ -408,6 +411,10 @@ impl Seen {
             }
             after_hash = token.kind == RawKind::Hash;
         }
+        // Nothing else calls it, and it does what only `main` does.
+        if self.near_main.1 == 1 && !self.main && (self.version || self.vertex || self.fragment) {
+            (self.main, self.defines_main) = (true, true);
+        }
         // Only some words of a vertex shader exclude a fragment shader.
         self.vertex |= self.attribute && !self.fragment;
         // A text with its own `main` may call `mainImage` itself.
@@ -440,11 +447,15 @@ impl Seen {
             "precision" => self.precision = true,
             "main" => {
                 self.main = true;
-                self.defines_main |= last == "void";
+                self.defines_main |= last.eq_ignore_ascii_case("void");
                 self.has_near_entry |= has_parameters_of_entry(last, after);
             }
-            _ if word.eq_ignore_ascii_case("mainImage") => {
+            _ if is_respelled(word, "mainImage") => {
                 self.has_near_entry |= has_parameters_of_entry(last, after);
+            }
+            _ if word == self.near_main.0 => self.near_main.1 += 1,
+            _ if is_respelled(word, "main") && is_main(last, after) => {
+                self.near_main = (word.to_string(), 1);
             }
             _ => {
                 self.old |= OLD_LOOKUPS.iter().any(|f| f.name() == word);
@@ -476,14 +487,25 @@ fn is_foreign_definition(last: &str, after: &str) -> bool {
     !last.is_empty() && is_word && rest.starts_with(['{', ':'])
 }
 
+/// Whether a function is defined as `main` is: without parameters and result.
+fn is_main(last: &str, after: &str) -> bool {
+    let body = after.trim_start().strip_prefix('(').and_then(|a| a.split_once(')'));
+    last.eq_ignore_ascii_case("void")
+        && body.is_some_and(|(params, rest)| {
+            matches!(params.trim(), "" | "void") && rest.trim_start().starts_with('{')
+        })
+}
+
 /// Whether a function has the parameters of `mainImage`.
 fn has_parameters_of_entry(last: &str, after: &str) -> bool {
     let params = after.trim_start().strip_prefix('(');
     let params = params.and_then(|p| p.split([')', '{', ';']).next());
     let params = params.and_then(|p| p.split_once(','));
-    last == "void"
+    last.eq_ignore_ascii_case("void")
         && params.is_some_and(|(color, place)| {
-            let words = |text: &str, all: [&str; 2]| text.split_whitespace().take(2).eq(all);
+            let words = |text: &str, all: [&str; 2]| {
+                text.to_ascii_lowercase().split_whitespace().take(2).eq(all)
+            };
             let is_in = words(place, ["in", "vec2"]) || place.trim_start().starts_with("vec2 ");
             words(color, ["out", "vec4"]) && is_in && !place.contains(',')
         })

@@ -15,6 +15,7 @@ pub mod path;
 mod removal;
 mod source;
 mod span;
+mod spelling;
 mod words;
 
 pub use cases::each_case;
@@ -24,4 +25,5 @@ pub use line_index::{LineIndex, Position};
 pub use removal::remove_lines;
 pub use source::{CompiledText, FileId, Role, SourceFile, Sources, TextPiece};
 pub use span::Span;
+pub use spelling::is_respelled;
 pub use words::WordIndex;

@@ -4,6 +4,7 @@ use super::scan::{ScanKind, ScanToken, first_tokens, tokens};
 use super::shader_language::ShaderLanguage;
 use super::signs::SIGNS;
 use rustc_hash::FxHashMap;
+use shaderlint_text::is_respelled;
 use std::sync::OnceLock;
 
 /// Number of consecutive words that make a sentence.
@@ -577,15 +578,30 @@ pub fn is_type(word: &str) -> bool {
     )
 }
 
-/// Whether a text defines `main` or `mainImage`.
+/// Whether a text defines `main` or `mainImage`, also as other languages do (`function mainImage(c, p)`) or
+/// with a typo (`Void main()`, `void mian()`).
 pub fn has_main(code: &str) -> bool {
-    code.match_indices("void").any(|(at, word)| {
-        let after = code.get(at + word.len()..).unwrap_or("");
-        let name = after.trim_start();
-        let rest = name
-            .strip_prefix("mainImage")
-            .or_else(|| name.strip_prefix("main"));
-        name.len() < after.len()
-            && rest.is_some_and(|r| r.trim_start().starts_with('(') && r.contains('{'))
+    let last_word = |text: &'_ str| {
+        let before = text.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+        before.len()..text.len()
+    };
+    code.match_indices('(').any(|(at, _)| {
+        let (before, after) = (code.get(..at).unwrap_or("").trim_end(), code.get(at..));
+        let name = last_word(before);
+        let is_image = is_respelled(before.get(name.clone()).unwrap_or(""), "mainImage");
+        let is_main = || is_respelled(before.get(name.clone()).unwrap_or(""), "main");
+        let after = after.filter(|rest| (is_image || is_main()) && rest.contains('{'));
+        let before = before.get(..name.start).unwrap_or("");
+        let result = before.trim_end();
+        let result = result.get(last_word(result)).unwrap_or("");
+        let begins_body = |rest: &str| {
+            let body = rest.split_once(')').map_or("", |(_, body)| body.trim_start());
+            body.starts_with('{')
+        };
+        after.is_some_and(|rest| {
+            let is_other = is_image && !result.is_empty() && begins_body(rest);
+            before.ends_with(char::is_whitespace)
+                && (result.eq_ignore_ascii_case("void") || is_other)
+        })
     })
 }

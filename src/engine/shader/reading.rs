@@ -5,7 +5,7 @@ use super::chunks::{ExpandedText, with_chunks};
 use super::prelude::{after_version, declares_output, prelude, with_host};
 use crate::options::{DialectChoice, Options};
 use shaderlint_detect::kind::has_main;
-use shaderlint_diagnostic::{Diagnostic, Lack, Severity};
+use shaderlint_diagnostic::{Diagnostic, Lack, Severity, error};
 use shaderlint_explain::{Checked, analyze_chunk, analyze_within, confirm_unknown};
 use shaderlint_host::{HostVersion, Preset, chunk_prelude, is_chunk};
 use shaderlint_project::chunks_in;
@@ -562,10 +562,11 @@ impl Readings {
                 let code = code.get_or_init(|| code_of(sources, &first.files));
                 !name.is_empty() && code.contains(&format!("define {name}"))
             };
-            let lacks = checked
-                .diagnostics
-                .iter()
-                .any(|d| self.may_lack(d) && !is_macro(sources.text(d.span)));
+            let is_lacking = |d: &Diagnostic| {
+                let name = sources.text(d.span);
+                self.may_lack(d) && !is_macro(name) && !is_miscased(d, name)
+            };
+            let lacks = checked.diagnostics.iter().any(is_lacking);
             let is_complete = match self.presumed {
                 PresumedCompleteness::Unversioned => {
                     let wrong = checked.diagnostics.iter().filter(|d| is_error(d)).count();
@@ -725,6 +726,12 @@ fn presumed(
         }
         _ => PresumedCompleteness::Chunk,
     }
+}
+
+/// Whether an unknown type is one of GLSL in other capitals: `Float`.
+fn is_miscased(d: &Diagnostic, name: &str) -> bool {
+    let edit = d.fix.as_ref().and_then(|fix| fix.edits.first());
+    d.is(error::UNKNOWN_TYPE) && edit.is_some_and(|e| e.text.eq_ignore_ascii_case(name))
 }
 
 fn is_error(diagnostic: &Diagnostic) -> bool {
