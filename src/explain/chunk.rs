@@ -48,7 +48,17 @@ pub(super) fn keep_certain(
     let mut names = BTreeSet::new();
     let mut unknown = Vec::new();
     let count = diagnostics.len();
-    let part = ChunkReader::of(program, completeness);
+    let mut part = ChunkReader::of(program, completeness);
+    let is_foreign =
+        |d: &&Diagnostic| d.certainty() == Certainty::Syntax && part.is_foreign(d.span);
+    part.foreign = diagnostics
+        .iter()
+        .filter(is_foreign)
+        .map(|d| d.span)
+        .collect();
+    let words = part.foreign.iter().map(|span| program.sources.text(*span));
+    let is_word = |text: &&str| text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    names.extend(words.filter(is_word).map(str::to_string));
     let is_torn = completeness == Completeness::Excerpt
         || diagnostics
             .iter()
@@ -115,6 +125,8 @@ struct ChunkReader<'p> {
     groups: GroupNames,
     /// Calls of macros with an empty body.
     empty_calls: Vec<Span>,
+    /// Syntax errors about words that only a host may know, which corrections removed.
+    foreign: Vec<Span>,
 }
 
 impl<'p> ChunkReader<'p> {
@@ -134,6 +146,7 @@ impl<'p> ChunkReader<'p> {
             own_functions: program.functions.iter().filter_map(place).collect(),
             groups: GroupNames::of(program),
             empty_calls: empty_calls(program),
+            foreign: Vec::new(),
         }
     }
 
@@ -274,6 +287,11 @@ impl<'p> ChunkReader<'p> {
             // Some hosts rename `main`.
             error::RETURN_TYPE => !is_torn && !self.is_in_main(d.span),
             error::INVALID_PARAMETER => !is_torn,
+            // `UNI sampler2D map;`: the unknown word may be `uniform`.
+            error::SAMPLER_RESTRICTION => {
+                let start = self.statement(d.span).start;
+                !self.foreign.iter().any(|span| self.at(span.start) == start)
+            }
             _ => true,
         }
     }
