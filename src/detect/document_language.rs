@@ -15,6 +15,8 @@ pub enum DocumentLanguage {
     Markdown,
     /// KDL, as in the configuration of niri: strings.
     Kdl,
+    /// GLSL: several shaders, which a program splits.
+    Sections,
 }
 
 impl fmt::Display for DocumentLanguage {
@@ -25,6 +27,7 @@ impl fmt::Display for DocumentLanguage {
             DocumentLanguage::Component => "a component",
             DocumentLanguage::Markdown => "Markdown",
             DocumentLanguage::Kdl => "KDL",
+            DocumentLanguage::Sections => "several shaders",
         })
     }
 }

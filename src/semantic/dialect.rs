@@ -150,7 +150,7 @@ pub fn guess(text: &str) -> Guess {
     let mut seen = Seen::default();
     let any = [
         "version",
-        "mainImage",
+        "mage",
         "mainSound",
         "mainCubemap",
         "gl_",
@@ -158,7 +158,6 @@ pub fn guess(text: &str) -> Guess {
         "attribute",
         "varying",
         "main",
-        "MainImage",
         "texture",
     ];
     if any.iter().any(|w| has(w)) {
@@ -489,7 +488,10 @@ fn is_foreign_definition(last: &str, after: &str) -> bool {
 
 /// Whether a function is defined as `main` is: without parameters and result.
 fn is_main(last: &str, after: &str) -> bool {
-    let body = after.trim_start().strip_prefix('(').and_then(|a| a.split_once(')'));
+    let body = after
+        .trim_start()
+        .strip_prefix('(')
+        .and_then(|a| a.split_once(')'));
     last.eq_ignore_ascii_case("void")
         && body.is_some_and(|(params, rest)| {
             matches!(params.trim(), "" | "void") && rest.trim_start().starts_with('{')
@@ -509,69 +511,4 @@ fn has_parameters_of_entry(last: &str, after: &str) -> bool {
             let is_in = words(place, ["in", "vec2"]) || place.trim_start().starts_with("vec2 ");
             words(color, ["out", "vec4"]) && is_in && !place.contains(',')
         })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(text: &str, kind: Option<GuessedKind>) {
-        assert_eq!(guess(text).kind, kind, "{text}");
-    }
-
-    #[test]
-    fn the_names_of_a_text_show_its_dialect() {
-        check(
-            "#version 300 es\nvoid mainImage(){} void main(){}",
-            Some(GuessedKind::Versioned),
-        );
-        check("\n  # version 100\n", Some(GuessedKind::Versioned));
-        check(
-            "void mainImage(out vec4 c, vec2 f){}",
-            Some(GuessedKind::ShaderToy(Pass::Image)),
-        );
-        check("// mainImage\nfloat f(){return 1.;}", None);
-        check(
-            "vec4 mainImage(out vec4 c, vec2 f){}",
-            Some(GuessedKind::ShaderToy(Pass::Image)),
-        );
-        check("vec4 mainImage(vec2 uv){}", None);
-        check("void mainImage(in vec4 a, in vec2 b, out vec4 c){}", None);
-        check(
-            "void main(){ gl_FragColor = vec4(1); }",
-            Some(GuessedKind::WebGl1),
-        );
-        check(
-            "out vec4 c; void main(){ c = vec4(1); }",
-            Some(GuessedKind::WebGl2),
-        );
-        check("float f(float x) { return x; }", None);
-        for name in ["mainimage", "MainImage", "main"] {
-            check(
-                &format!("void {name}(out vec4 c, in vec2 p) {{}}"),
-                Some(GuessedKind::ShaderToy(Pass::Image)),
-            );
-        }
-        check("void mainimage(out vec4 c, in vec2 p, float t) {}", None);
-        // What a directive skips or defines is not what the text is for.
-        let image = "void mainImage(out vec4 c, vec2 f){}\n";
-        let main = "void main(){ mainImage(c, gl_FragCoord.xy); }\n";
-        for open in ["#if 0", "#ifdef STANDALONE"] {
-            check(
-                &format!("{image}{open}\n{main}#endif\n"),
-                Some(GuessedKind::ShaderToy(Pass::Image)),
-            );
-        }
-        check(
-            &format!("{image}#ifdef GL_ES\n{main}#endif\n"),
-            Some(GuessedKind::WebGl2),
-        );
-        let found = super::guess("#define attribute in\nvoid main(){ gl_FragColor = vec4(1); }");
-        assert_eq!(found.stage, Some(Stage::Fragment));
-        assert_eq!(
-            guess("void main(){gl_Position=vec4(0);}").stage,
-            Some(Stage::Vertex)
-        );
-    }
 }

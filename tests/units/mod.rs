@@ -1,8 +1,12 @@
 //! Layers by what they make public: short texts in, answers out.
 
 mod causes;
+mod dialects;
 mod editor;
+mod entries;
 mod formatter;
+mod kinds;
 mod linking;
 mod scripts;
+mod sections;
 mod versions;

@@ -1,6 +1,7 @@
 //! A shader embedded in a file, and which edits are safe.
 
 use super::receiver::ShaderReceiver;
+use crate::kind::Section;
 use shaderlint_text::{Edit, Span};
 use std::ops::Range;
 use std::sync::Arc;
@@ -35,6 +36,16 @@ pub struct Embedded {
     pub receivers: Vec<ShaderReceiver>,
     /// Number of its chapter; excerpts of a chapter continue each other.
     pub chapter: u32,
+}
+
+impl From<Section> for Embedded {
+    fn from(section: Section) -> Embedded {
+        Embedded {
+            has_holes: section.is_open,
+            stage: section.is_vertex.then_some(NamedStage::Vertex),
+            ..Embedded::new(section.start, section.code, Wrapping::Element)
+        }
+    }
 }
 
 impl Embedded {

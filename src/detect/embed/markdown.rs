@@ -3,10 +3,10 @@
 use super::DocumentLanguage;
 use super::changes;
 use super::embedded::NamedStage;
-use super::embedded::{Embedded, Wrapping, left_out};
 use super::embedded::NoModules;
+use super::embedded::{Embedded, Wrapping, left_out};
 use super::{component, holes, html, kdl, script};
-use crate::kind::Evidence;
+use crate::kind::{Evidence, sections};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -144,7 +144,7 @@ fn take(text: &str, fence: &MarkdownFence, found: &mut Vec<Embedded>) {
             DocumentLanguage::Component => component::extract(content, start, &NoModules, found),
             DocumentLanguage::Kdl => kdl::extract(content, start, found),
             // A document that shows how to write documents.
-            DocumentLanguage::Markdown => {}
+            DocumentLanguage::Markdown | DocumentLanguage::Sections => {}
         };
     }
     let is_glsl = is_named || Evidence::of(content).is_glsl();
@@ -162,6 +162,15 @@ fn take(text: &str, fence: &MarkdownFence, found: &mut Vec<Embedded>) {
         if found.len() > count {
             return;
         }
+    }
+    let parts = sections(content);
+    if !parts.is_empty() {
+        return found.extend(parts.into_iter().map(|part| Embedded {
+            start: start + part.start,
+            wrapping: Wrapping::Fence,
+            chapter: fence.chapter,
+            ..Embedded::from(part)
+        }));
     }
     let code = mask(content);
     let masked = holes::mask(&code);

@@ -24,7 +24,7 @@ mod text;
 mod together;
 mod webgl;
 
-use crate::kind::may_be_shader;
+use crate::kind::{may_be_shader, sections};
 
 pub use crate::document_language::DocumentLanguage;
 pub use embedded::{
@@ -74,6 +74,7 @@ pub fn extract_with(
         DocumentLanguage::Component => component::extract(text, 0, modules, &mut found),
         DocumentLanguage::Markdown => markdown::extract(name, text, &mut found),
         DocumentLanguage::Kdl => kdl::extract(text, 0, &mut found),
+        DocumentLanguage::Sections => found.extend(sections(text).into_iter().map(Embedded::from)),
     }
     found.iter_mut().for_each(Embedded::leave_out);
     let is_element = |shader: &&mut Embedded| shader.wrapping == Wrapping::Element;

@@ -581,27 +581,33 @@ pub fn is_type(word: &str) -> bool {
 /// Whether a text defines `main` or `mainImage`, also as other languages do (`function mainImage(c, p)`) or
 /// with a typo (`Void main()`, `void mian()`).
 pub fn has_main(code: &str) -> bool {
-    let last_word = |text: &'_ str| {
-        let before = text.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
-        before.len()..text.len()
-    };
+    let words = ["void", "Void", "mainImage"];
+    words.iter().any(|word| code.contains(word)) && defines_main(code)
+}
+
+fn defines_main(code: &str) -> bool {
     code.match_indices('(').any(|(at, _)| {
-        let (before, after) = (code.get(..at).unwrap_or("").trim_end(), code.get(at..));
-        let name = last_word(before);
-        let is_image = is_respelled(before.get(name.clone()).unwrap_or(""), "mainImage");
-        let is_main = || is_respelled(before.get(name.clone()).unwrap_or(""), "main");
-        let after = after.filter(|rest| (is_image || is_main()) && rest.contains('{'));
-        let before = before.get(..name.start).unwrap_or("");
-        let result = before.trim_end();
-        let result = result.get(last_word(result)).unwrap_or("");
-        let begins_body = |rest: &str| {
-            let body = rest.split_once(')').map_or("", |(_, body)| body.trim_start());
-            body.starts_with('{')
-        };
-        after.is_some_and(|rest| {
-            let is_other = is_image && !result.is_empty() && begins_body(rest);
-            before.ends_with(char::is_whitespace)
-                && (result.eq_ignore_ascii_case("void") || is_other)
-        })
+        let (before, name) = before_last_word(code.get(..at).unwrap_or(""));
+        let is_image = is_respelled(name, "mainImage");
+        if !is_image && !is_respelled(name, "main") || !before.ends_with(char::is_whitespace) {
+            return false;
+        }
+        let (_, result) = before_last_word(before);
+        let is_void = result.eq_ignore_ascii_case("void");
+        let (params, rest) = code
+            .get(at..)
+            .and_then(|c| c.split_once(')'))
+            .unwrap_or_default();
+        let is_other = is_image && !result.is_empty() && rest.trim_start().starts_with('{');
+        is_other || is_void && (params.contains('{') || rest.contains('{'))
     })
+}
+
+/// The last word of a text, and what is before it.
+fn before_last_word(text: &str) -> (&str, &str) {
+    let text = text.trim_end();
+    let is_part = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_';
+    let length = text.bytes().rev().take_while(is_part).count();
+    text.split_at_checked(text.len() - length)
+        .unwrap_or((text, ""))
 }

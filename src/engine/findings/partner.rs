@@ -9,7 +9,7 @@ use crate::shader::reading::{PresumedCompleteness, Reading};
 use crate::shader::shader_input::ShaderInput;
 use crate::text::shader_file::shader_part;
 use shaderlint_detect::embed::{Asked, DocumentLanguage, Embedded, asked, together};
-use shaderlint_detect::kind::file_extension;
+use shaderlint_detect::kind::FileKind;
 use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
 use shaderlint_explain::link::link;
 use shaderlint_explain::{Checked, analyze};
@@ -177,7 +177,7 @@ pub fn link_all(file: &mut FileCheck) {
     let Some(document) = document.filter(|_| embedded.len() > 1) else {
         return;
     };
-    let Some(language) = DocumentLanguage::of_extension(&file_extension(&document.path)) else {
+    let FileKind::Holds(language) = file.kind else {
         return;
     };
     let parts = programs(&file.parts, embedded);

@@ -1,0 +1,91 @@
+//! Texts with several shaders.
+
+use crate::scratch::Scratch;
+use shaderlint::detect::embed::{DocumentLanguage, extract};
+
+#[test]
+fn shaders_are_found_between_lines_that_name_a_stage() {
+    let vertex = "attribute vec4 a;\nvoid main() { gl_Position = a; }\n";
+    let fragment = "void main() { gl_FragColor = vec4(1.0); }\n";
+    for (first, second, end) in [
+        ("[vertex]\n", "[fragment]\n", ""),
+        ("<vertex>\n", "</vertex>\n<fragment>\n", "</fragment>\n"),
+        ("{\"a\": 1}\n<Vertex>\n", "<\\Vertex>\n<Fragment>\n", ""),
+        ("#type vertex\n", "#type fragment\n", ""),
+        ("-- Sky.Vertex\n", "-- Sky.Fragment\n", ""),
+        ("// vertex shader\n", "//@fragment\n", ""),
+    ] {
+        let text = [first, vertex, second, fragment, end].concat();
+        let found = extract(DocumentLanguage::Sections, &text);
+        let found: Vec<_> = found.iter().map(|s| (&*s.code, s.is_vertex)).collect();
+        assert_eq!(found, [(vertex, true), (fragment, false)], "{text}");
+    }
+    let both = |line: &str| [line, vertex, line, fragment].concat();
+    assert_eq!(
+        extract(DocumentLanguage::Sections, &both("#version 300 es\n")).len(),
+        2
+    );
+    assert_eq!(
+        extract(DocumentLanguage::Sections, &both("#version 450\n")),
+        []
+    );
+    assert_eq!(
+        extract(
+            DocumentLanguage::Sections,
+            &both("#ifdef A\n// vertex\n#endif\n")
+        ),
+        []
+    );
+    assert_eq!(
+        extract(
+            DocumentLanguage::Sections,
+            &["// vertex\n", vertex, "// fragment\n"].concat()
+        ),
+        []
+    );
+}
+#[test]
+fn chunks_are_found_between_export_and_end() {
+    let text =
+        "x\n@export a.b.vertex\n#define N 4;\nuniform vec2 c : [1, 2];\n@import a.c.d\n@end\n";
+    let code = "#define N 4 \nuniform vec2 c         ;\n#import a.c.d\n";
+    let [chunk] = &extract(DocumentLanguage::Sections, text)[..] else {
+        panic!()
+    };
+    assert_eq!(
+        (chunk.start, &*chunk.code, chunk.is_vertex),
+        (21, code, true)
+    );
+    assert_eq!(
+        extract(DocumentLanguage::Sections, "@import a.b.c\nfloat x;\n").len(),
+        1
+    );
+    assert_eq!(
+        extract(DocumentLanguage::Sections, "@import 'a.b.c'\nfloat x;\n").len(),
+        0
+    );
+}
+
+#[test]
+fn each_shader_of_a_text_is_checked_at_its_place() {
+    let vertex = "precision highp float;\nattribute vec3 a;\nvarying vec2 v;\nvoid main() {\n    gl_Position = vec4(a, 1);\n}\n";
+    let fragment = "precision highp float;\nvarying vec3 v;\nvoid main() {\n    gl_FragColor = vec4(v, 1.0);\n    float x = 1;\n}\n";
+    let text = ["[vertex]\n", vertex, "[fragment]\n", fragment].concat();
+    let folder = Scratch::new(&[("a.glsl", &text)]);
+    let found = folder.places(&["a.glsl"]);
+    assert_eq!(found, ["13:15 int-float-mix"]);
+    let fixed = text.replace("x = 1;", "x = 1.0;");
+    folder.write("a.glsl", &fixed);
+    // The stages do not match.
+    let found = folder.places(&["a.glsl"]);
+    assert!(found.iter().any(|f| f.contains("link")), "{found:?}");
+    assert_eq!(folder.run(&["fmt", "--check", "a.glsl"]).code, 0);
+}
+
+#[test]
+fn chunks_of_a_library_are_checked() {
+    let text = "@export a.b.fragment\n#define N 4;\nuniform float size : 1.0;\n@import a.c.d\nvoid main() {\n    float x = 1;\n    gl_FragColor = vec4(size * float(N));\n}\n@end\n\n@export a.c.d\nfloat half_of(float x) { return x / 2; }\n@end\n";
+    let folder = Scratch::new(&[("a.glsl", text)]);
+    let found = folder.places(&["a.glsl"]);
+    assert_eq!(found, ["6:15 int-float-mix", "12:37 int-float-mix"]);
+}
