@@ -1,8 +1,8 @@
 //! What scripts and pages say about shaders: which texts they hold, join, pair, set and name.
 
 use shaderlint_detect::embed::{
-    AskedWebGl, DocumentLanguage, Embedder, LeadingBlanks, MentionKind, NameRole, asked, extract,
-    lists, mentions, together,
+    AskedWebGl, DocumentLanguage, Embedder, LeadingBlanks, MentionKind, NameRole, NamedStage,
+    asked, extract, lists, mentions, together,
 };
 
 #[track_caller]
@@ -332,7 +332,8 @@ fn shaders_are_found_in_elements_and_scripts() {
             Some(shader.code.as_str())
         );
     }
-    assert!(all[0].is_vertex && !all[1].is_vertex);
+    assert_eq!(all[0].stage, Some(NamedStage::Vertex));
+    assert_ne!(all[1].stage, all[0].stage);
 }
 
 #[test]

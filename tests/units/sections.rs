@@ -17,7 +17,10 @@ fn shaders_are_found_between_lines_that_name_a_stage() {
     ] {
         let text = [first, vertex, second, fragment, end].concat();
         let found = extract(DocumentLanguage::Sections, &text);
-        let found: Vec<_> = found.iter().map(|s| (&*s.code, s.is_vertex)).collect();
+        let found: Vec<_> = found
+            .iter()
+            .map(|s| (&*s.code, s.stage.is_some()))
+            .collect();
         assert_eq!(found, [(vertex, true), (fragment, false)], "{text}");
     }
     let both = |line: &str| [line, vertex, line, fragment].concat();
@@ -53,7 +56,7 @@ fn chunks_are_found_between_export_and_end() {
         panic!()
     };
     assert_eq!(
-        (chunk.start, &*chunk.code, chunk.is_vertex),
+        (chunk.start, &*chunk.code, chunk.stage.is_some()),
         (21, code, true)
     );
     assert_eq!(
