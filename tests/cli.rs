@@ -109,7 +109,7 @@ fn missing_files_are_reported_and_others_checked() {
 }
 
 #[test]
-fn json_files_that_are_not_exports_are_skipped() {
+fn named_json_files_that_are_not_exports_are_errors() {
     assert_cmd_snapshot!(lint(&["folder/package.json"]));
 }
 
