@@ -14,14 +14,16 @@ fn shaders_are_found_between_lines_that_name_a_stage() {
         ("#type vertex\n", "#type fragment\n", ""),
         ("-- Sky.Vertex\n", "-- Sky.Fragment\n", ""),
         ("// vertex shader\n", "//@fragment\n", ""),
+        ("// vertex\n", "== 2 ==\n// fragment\n", ""),
     ] {
         let text = [first, vertex, second, fragment, end].concat();
         let found = extract(DocumentLanguage::Sections, &text);
         let found: Vec<_> = found
             .iter()
-            .map(|s| (&*s.code, s.stage.is_some()))
+            .map(|s| (s.code.trim_end(), s.stage.is_some()))
             .collect();
-        assert_eq!(found, [(vertex, true), (fragment, false)], "{text}");
+        let expected = [(vertex.trim_end(), true), (fragment.trim_end(), false)];
+        assert_eq!(found, expected, "{text}");
     }
     let both = |line: &str| [line, vertex, line, fragment].concat();
     assert_eq!(

@@ -89,6 +89,14 @@ fn split(text: &str, of: fn(&str) -> Option<Marker>) -> Option<Vec<Section>> {
         .filter(|(marker, _)| !marker.is_end);
     let shaders = starts.map(|(marker, end)| {
         let code = text.get(marker.start..end)?;
+        // A line that names no stage may separate shaders too.
+        let after = code.rfind('}').and_then(|at| code.get(at + 1..));
+        let is_code = |rest: &str| rest.contains(['#', '/']) || rest.trim().is_empty();
+        let is_between = |rest: &&str| end < text.len() && !is_code(rest);
+        let code = after
+            .filter(is_between)
+            .and_then(|rest| code.strip_suffix(rest))
+            .unwrap_or(code);
         let evidence = Evidence::of(code);
         let is_own = mains(code) == 1 && evidence.is_glsl() && evidence.foreign().is_none();
         is_own.then(|| Section::new(marker.start, code.to_string(), marker.is_vertex, is_open))
