@@ -131,7 +131,7 @@ async def test_check_reports_success(tools):
 
 async def test_check_reports_unreadable_input(tools):
     assert "no such file" in await tools.bad("check", path="missing.glsl")
-    assert "skipped" in await tools.good("check", path=tools.write("a.py", "print(1)\n"))
+    assert "not checked" in await tools.bad("check", path=tools.write("a.py", "print(1)\n"))
     assert "either `path` or `code`" in await tools.bad("check", path="a.py", code=PLAIN)
     assert "`path` or some `code`" in await tools.bad("check")
     assert "unknown field `file`" in await tools.bad("check", file="a.glsl")
