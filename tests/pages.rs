@@ -413,7 +413,7 @@ fn pages_of_hosts_are_up_to_date() {
         `100`, `300 es`), `names` (`all`: other undeclared names are errors; `some`), \
         `uniforms` (`all`: a shader that declares other uniforms is for another host; `some`), `entry`, `include`, `hole`, `chunks` (`three.js`: those of that library), `package`, \
         `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`, \
-        `complete` and `bare` (JavaScript names that receive shaders to which it adds nothing else, or nothing at all), `patched` (what changes them nevertheless), \
+        `complete` and `bare` (JavaScript names that receive shaders to which it adds nothing else, or nothing at all), `patched` (what changes them nevertheless), `removed` (a name, the first release without it and what to do instead), \
         `glsl` (the property next to a shader that sets its version, and its values for GLSL ES 1.00 and 3.00), \
         `refuses` (what it does not accept: {limits}), `setters` (`dart`: an application sets the uniforms by their order), \
         `programs` (how many shaders it runs, which read each other).\n\n\

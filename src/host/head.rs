@@ -4,7 +4,7 @@ use super::limit::Limit;
 use super::meaning::{OWN, USUAL};
 use super::near::none_of;
 use super::preset::{
-    GivenFacts, HeadError, HostVersion, Preset, RequiredVersion, TextSign, declared_in,
+    GivenFacts, HeadError, HostVersion, Preset, RemovedName, RequiredVersion, TextSign, declared_in,
 };
 use super::template::Template;
 
@@ -96,7 +96,7 @@ const SHADER_TEMPLATE: &str = "#ifdef SHADER_TEMPLATE";
 const SHADER_MAIN: &str = "#ifdef SHADER_MAIN";
 
 /// The keys of a header.
-const KEYS: [&str; 32] = [
+const KEYS: [&str; 33] = [
     "alias",
     "reads",
     "base",
@@ -121,6 +121,7 @@ const KEYS: [&str; 32] = [
     "patched",
     "bare",
     "glsl",
+    "removed",
     "also",
     "composes",
     "directive",
@@ -220,6 +221,7 @@ impl Preset {
             "patched" => self.patched.extend(words()),
             "bare" => self.bare.extend(words()),
             "glsl" => self.glsl.extend(words()),
+            "removed" => self.removed.push(removed(value)?),
             "also" => self.also.extend(words()),
             "defines" => self.defined.extend(words()),
             "directive" => self.directives.extend(words()),
@@ -248,6 +250,19 @@ impl Preset {
         }
         Ok(())
     }
+}
+
+/// Parses a name that is gone, such as `map 137 remove the call`.
+fn removed(value: &str) -> Result<RemovedName, String> {
+    let mut parts = value.splitn(3, ' ');
+    let mut found = || {
+        Some(RemovedName {
+            name: parts.next()?.to_string(),
+            release: parts.next()?.parse().ok()?,
+            advice: parts.next()?.to_string(),
+        })
+    };
+    found().ok_or_else(|| format!("expected `NAME RELEASE ADVICE`, found `{value}`"))
 }
 
 /// Parses a required version such as `300 es, 8.0`.

@@ -99,6 +99,8 @@ pub struct Preset {
     /// Names that it declares depending on what is drawn, with unknown types; a trailing `*`
     /// matches any suffix.
     pub also: Vec<String>,
+    /// Names that earlier releases of its library declared.
+    pub removed: Vec<RemovedName>,
     /// Whether it accepts shaders with a `#version` and replaces it by its own.
     pub takes_version: bool,
     /// Whether it accepts desktop GLSL as well.
@@ -142,6 +144,17 @@ pub struct Preset {
     pub prelude: String,
     /// Offset in `prelude` at which its own part starts, after that of its base.
     pub own_start: usize,
+}
+
+/// A name that a library no longer declares for shaders.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RemovedName {
+    /// The name.
+    pub name: String,
+    /// The first release without it.
+    pub release: u32,
+    /// What to do instead.
+    pub advice: String,
 }
 
 /// Words that together indicate a host.
@@ -423,6 +436,7 @@ impl Preset {
             self.context = base.context.clone();
         }
         self.holes.extend(base.holes.iter().cloned());
+        self.removed.extend(base.removed.iter().cloned());
     }
 }
 

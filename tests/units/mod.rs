@@ -5,6 +5,7 @@ mod dialects;
 mod editor;
 mod entries;
 mod formatter;
+mod inactive;
 mod kinds;
 mod linking;
 mod scripts;

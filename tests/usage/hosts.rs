@@ -542,3 +542,26 @@ fn a_shader_file_is_compiled_as_the_materials_that_import_it() {
         assert!(out.starts_with(line), "{name}: {out}");
     }
 }
+
+#[test]
+fn names_that_a_library_has_removed_are_reported_with_the_release() {
+    let material = "import * as THREE from 'three';\nconst m = new THREE.ShaderMaterial({ fragmentShader: `\
+                    uniform sampler2D map; void main() { gl_FragColor = \
+                    mapTexelToLinear(texture2D(map, gl_FragCoord.xy)); }` });\n";
+    let own =
+        format!("{material}const helper = `vec4 mapTexelToLinear(vec4 c) {{ return c; }}`;\n");
+    for (package, script, expected) in [
+        ("^0.170.0", material, "error"),
+        ("0.136.2", material, ""),
+        (">=0.130", material, "warning"),
+        ("^0.170.0", own.as_str(), ""),
+    ] {
+        let package = format!(r#"{{"dependencies":{{"three":"{package}"}}}}"#);
+        let files = [("a.js", script), ("package.json", package.as_str())];
+        let out = Scratch::new(&files).run(&["--format", "short", "a.js"]).out;
+        let message = "three.js removed `mapTexelToLinear` in r137; remove the call";
+        let line = out.lines().find(|line| line.contains(message));
+        let level = line.map_or("", |l| l.split([' ', '[']).nth(1).unwrap_or(""));
+        assert_eq!(level, expected, "{package}\n{out}");
+    }
+}

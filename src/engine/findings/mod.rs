@@ -7,6 +7,7 @@ mod group;
 mod inactive;
 pub mod partner;
 mod place;
+mod removed;
 pub mod report;
 mod required;
 mod rules;

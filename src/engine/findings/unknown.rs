@@ -4,6 +4,7 @@
 //! text it is a warning if it looks like a typo and appears nowhere else in the repository; all
 //! others are listed in one info per file.
 
+use super::removed;
 use super::stage::{FileCheck, ShaderCheck, Unresolved};
 use super::typo::{Vocabulary, is_typo, variables};
 use crate::hosts::host::Hosts;
@@ -37,6 +38,9 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         return leave_macros(checked, hosts, part.is_joined);
     }
     let mut unknown = checked.open.unknown.clone();
+    let count = |word: &str| vocabulary.count(word);
+    let mut removed = removed::take(&mut unknown, (sources, part), hosts, count);
+    checked.diagnostics.append(&mut removed);
     if !unknown.is_empty() {
         let optional = Optional::of(checked);
         // Interpolated names are unknown, and a group that the host activates may declare a name.

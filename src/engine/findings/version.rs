@@ -66,33 +66,3 @@ pub fn lower_reserved_words(shader: &mut ShaderCheck) {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::{Options, check};
-    use shaderlint_diagnostic::{Severity, error};
-    use shaderlint_project::NoFiles;
-
-    #[track_caller]
-    fn reserved_word(head: &str, word: &str) -> Severity {
-        let text = format!(
-            "{head}precision highp float;\nin vec2 v;\nout vec4 c;\nuniform sampler2D t;\n\
-             void main() {{ vec4 {word} = texture(t, v); c = {word}; }}\n"
-        );
-        let report = check("a.frag", &text, &Options::default(), &NoFiles);
-        let mut found = report.diagnostics.iter();
-        let found = found.find(|d| d.is(error::RESERVED_WORD));
-        found.map(|d| d.severity).expect("the word is reserved")
-    }
-
-    #[test]
-    fn words_reserved_in_one_version_only_are_warnings() {
-        assert_eq!(reserved_word("", "sample"), Severity::Warning);
-        assert_eq!(
-            reserved_word("#version 300 es\n", "sample"),
-            Severity::Error
-        );
-        // Both versions reserve it.
-        assert_eq!(reserved_word("", "cast"), Severity::Error);
-    }
-}

@@ -282,10 +282,8 @@ impl<'a> Hosts<'a> {
                 let all = self.importers();
                 let is_handed = |(_, text): &(PathBuf, Arc<str>)| host.is_complete_in(text);
                 let is_known = |r: &ShaderReceiver| host.is_complete_for(&r.name);
-                all.iter().all(is_handed)
-                    && self
-                        .receivers()
-                        .is_some_and(|all| !all.is_empty() && all.iter().all(is_known))
+                let received = self.receivers().filter(|_| all.iter().all(is_handed));
+                received.is_some_and(|all| !all.is_empty() && all.iter().all(is_known))
             }
         }
     }
@@ -299,7 +297,9 @@ impl<'a> Hosts<'a> {
             .file_cache
             .top(path, self.context.files);
         let is_file = |import: &str| meant(import, path, &top).contains(&file);
-        ParsedScript::new(text.clone()).receivers(is_file)
+        let all = ParsedScript::new(text.clone()).receivers(is_file);
+        // A script that does not use its import exports it.
+        all.filter(|all| !all.is_empty())
     }
 
     /// Whether a word is used outside of a text that uses it `count` times: in the surrounding

@@ -21,7 +21,7 @@
 // enabled), and everything in the material's `defines`.
 //
 // reads: three.js ShaderMaterial
-// source: three 0.187.0, src/renderers/webgl/WebGLProgram.js, src/renderers/webgl/WebGLPrograms.js, src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js
+// source: three 0.187.0, src/renderers/webgl/WebGLProgram.js, src/renderers/webgl/WebGLPrograms.js, src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js; for `removed` the first version of every release from 0.90.0 on
 // package: three @react-three/fiber @react-three/drei three-stdlib @threlte/core @tresjs/core angular-three
 // word: modelViewMatrix projectionMatrix cameraPosition normalMatrix isOrthographic instanceMatrix linearToOutputTexel sRGBTransferOETF sRGBTransferEOTF LinearTransferOETF pc_fragColor skinWeight skinIndex
 // global: THREE
@@ -29,7 +29,22 @@
 // patched: onBeforeCompile
 // bare: RawShaderMaterial
 // glsl: glslVersion GLSL1 GLSL3
-// also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* mapTexelToLinear envMapTexelToLinear matcapTexelToLinear emissiveMapTexelToLinear lightMapTexelToLinear toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
+// also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
+// removed: mapTexelToLinear 137 remove the call: textures are decoded when they are read
+// removed: envMapTexelToLinear 137 remove the call: textures are decoded when they are read
+// removed: matcapTexelToLinear 137 remove the call: textures are decoded when they are read
+// removed: emissiveMapTexelToLinear 137 remove the call: textures are decoded when they are read
+// removed: lightMapTexelToLinear 137 remove the call: textures are decoded when they are read
+// removed: GeometricContext 157 pass the position, the normal and the view direction one by one
+// removed: vUv2 151 use `vAoMapUv` or `vLightMapUv`
+// removed: linearToRelativeLuminance 143 use `luminance`
+// removed: GammaToLinear 136 use `pow`
+// removed: LinearToLinear 167 remove the call: it returned its argument
+// removed: sRGBToLinear 137 use `sRGBTransferEOTF` (r170 and later)
+// removed: LinearTosRGB 167 use `sRGBTransferOETF`
+// removed: OptimizedCineonToneMapping 168 use `CineonToneMapping`
+// removed: punctualLightIntensityToIrradianceFactor 132 use `getDistanceAttenuation`
+// removed: whiteCompliment 108 use `whiteComplement`
 // version: 300 es
 // names: some
 // entry: main
