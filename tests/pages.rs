@@ -414,7 +414,7 @@ fn pages_of_hosts_are_up_to_date() {
         `uniforms` (`all`: a shader that declares other uniforms is for another host; `some`), `entry`, `include`, `hole`, `chunks` (`three.js`: those of that library), `package`, \
         `word`, `global`, `shows`, `alias`, `reads`, `source`, `renames`, `takes`, `requires`, `file`, `defines`, \
         `complete` and `bare` (JavaScript names that receive shaders to which it adds nothing else, or nothing at all), `patched` (what changes them nevertheless), `removed` (a name, the first release without it and what to do instead), \
-        `glsl` (the property next to a shader that sets its version, and its values for GLSL ES 1.00 and 3.00), \
+        `glsl` (the property next to a shader that sets its version, and its value for GLSL ES 3.00), \
         `refuses` (what it does not accept: {limits}), `setters` (`dart`: an application sets the uniforms by their order), \
         `programs` (how many shaders it runs, which read each other).\n\n\
         A comment `// =` after a declaration states the value that the host sets, so that the shader can be run. Options \

@@ -263,8 +263,9 @@ fn understand(
         && options.host.preset.is_none()
         && !part.readings.is_shadertoy();
     let given = part.host.or(options.host.preset);
-    let handed = (is_open && part.host.is_none()).then(|| hosts.handed(embedded));
-    match handed.flatten().filter(|_| part.readings.may_be_handed()) {
+    // The scripts that import a file are read only if they decide.
+    let may_be_handed = is_open && part.host.is_none() && part.readings.may_be_handed();
+    match may_be_handed.then(|| hosts.handed(embedded)).flatten() {
         Some(handed) if handed.is_bare => {
             let sources = Arc::make_mut(sources);
             part.readings
@@ -279,12 +280,10 @@ fn understand(
     let context = context(sources, &part.readings, hosts, options, given.as_slice());
     part.readings.set_context(context);
     let mut checked = part.readings.check(sources, part.infer_channels)?;
-    let mut lacks = lacking(&checked);
-    if let Some(joined) = joined::join(sources, part, (&checked, &lacks), hosts, hushed) {
+    if let Some(joined) = joined::join(sources, part, &checked, hosts, hushed) {
         checked = joined;
-        lacks = lacking(&checked);
     }
-    let lacking = lacks;
+    let lacking = lacking(&checked);
     if (lacking.is_some() || hosted::given_composer(options).is_some())
         && part.host.is_none()
         && let Some(composed) = hosted::compose(sources, part, hosts, options)

@@ -91,8 +91,8 @@ pub struct Preset {
     pub complete: Vec<String>,
     /// JavaScript names that receive shaders to which the host adds nothing at all.
     pub bare: Vec<String>,
-    /// The property next to a shader that determines its version, and its values for GLSL ES 1.00 and 3.00, after
-    /// which a fragment shader declares its own output.
+    /// The property next to a shader that determines its version, and its value for GLSL ES 3.00, after which a
+    /// fragment shader declares its own output.
     pub glsl: Vec<String>,
     /// JavaScript names whose use means that such shaders are modified nevertheless.
     pub patched: Vec<String>,

@@ -1,8 +1,9 @@
 //! Shaders in components of Vue, Svelte and Astro: in their scripts, and in literals of their
 //! templates.
 
+use super::embedded::{Embedded, ImportedTexts};
 use super::html::{self, next_script};
-use super::{embedded::Embedded, embedded::ImportedTexts, script};
+use super::script;
 
 /// Finds the shaders of a component.
 pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {

@@ -3,8 +3,7 @@
 //! Entities are decoded. Each is replaced by its character, preceded by blanks to keep the length;
 //! consecutive entities are decoded to adjacent characters.
 
-use super::embedded::NamedStage;
-use super::embedded::{Embedded, Wrapping};
+use super::embedded::{Embedded, NamedStage, Wrapping};
 use super::tag::{Element, attribute, next_element};
 use crate::kind::Scanned;
 use shaderlint_text::markup;

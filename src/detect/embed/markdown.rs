@@ -2,9 +2,7 @@
 
 use super::DocumentLanguage;
 use super::changes;
-use super::embedded::NamedStage;
-use super::embedded::NoModules;
-use super::embedded::{Embedded, Wrapping, left_out};
+use super::embedded::{Embedded, NamedStage, NoModules, Wrapping, left_out};
 use super::{component, holes, html, kdl, script};
 use crate::kind::{Evidence, sections};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};

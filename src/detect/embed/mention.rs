@@ -129,10 +129,10 @@ impl<'t> MentionReader<'t, '_> {
         let object = object.filter(|node| node.kind == NodeKind::Object);
         let parent = object.and_then(|node| node.parent);
         match parent.and_then(|id| Some((id, &self.tree.node(id)?.kind))) {
-            Some((_, NodeKind::Property(name) | NodeKind::Variable(name))) => {
-                is_about_inputs(self.word(name))
-            }
-            Some((_, NodeKind::Attribute(name))) => is_about_inputs(self.word(name)),
+            Some((
+                _,
+                NodeKind::Property(name) | NodeKind::Variable(name) | NodeKind::Attribute(name),
+            )) => is_about_inputs(self.word(name)),
             Some((id, NodeKind::Assignment(_))) => self.is_about_inputs(self.tree.child(id, 0)),
             _ => false,
         }

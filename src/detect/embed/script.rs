@@ -1,8 +1,7 @@
 //! Shaders in string literals of a script.
 
 use super::context::LiteralContext;
-use super::embedded::ImportedTexts;
-use super::embedded::{Embedded, InsertedPart, Wrapping, joined};
+use super::embedded::{Embedded, ImportedTexts, InsertedPart, Wrapping, joined};
 use super::holes::mask;
 use super::receiver::{ReceiverReader, ShaderReceiver};
 use super::text::{ScriptText, Texts};

@@ -1,8 +1,7 @@
 //! The texts that a script puts together: literals, concatenated or joined, with the values of what is
 //! inserted.
 
-use super::embedded::ImportedTexts;
-use super::embedded::InsertedPart;
+use super::embedded::{ImportedTexts, InsertedPart};
 use super::hole::{Hole, HoleContent};
 use super::holes::fill;
 use crate::kind::{Chunk, Scanned, has_main};

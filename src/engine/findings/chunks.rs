@@ -3,9 +3,7 @@
 use super::stage::ShaderCheck;
 use super::typo::is_typo;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
-use shaderlint_host::{
-    ChunkLibrary, HostChunk, Preset, chunk_names, is_chunk, predecessor, presets,
-};
+use shaderlint_host::{ChunkLibrary, HostChunk, Preset, chunk_names, is_chunk, predecessor};
 use shaderlint_project::chunks_in;
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 
@@ -50,8 +48,9 @@ pub fn library(shader: &ShaderCheck) -> Option<(&'static Preset, &'static ChunkL
     if readings.chunks().is_empty() {
         return None;
     }
-    let mut hosts = presets().filter(|p| readings.hosts.contains(&p.title));
-    hosts.find_map(|host| Some((host, host.chunk_library()?)))
+    readings
+        .presets()
+        .find_map(|host| Some((host, host.chunk_library()?)))
 }
 
 /// The name of a chunk, and where the directive is that it was inserted for: at the end of the text before it.
@@ -118,8 +117,8 @@ fn report_unknown(shader: &mut ShaderCheck) {
     if readings.hosts.is_empty() || !readings.has_gaps() {
         return;
     }
-    let mut hosts = presets().filter(|p| !p.chunks.is_empty() && p.base.is_none());
-    let Some(host) = hosts.find(|p| readings.hosts.contains(&p.title)) else {
+    let has_chunks = |p: &&Preset| !p.chunks.is_empty() && p.base.is_none();
+    let Some(host) = readings.presets().find(has_chunks) else {
         return;
     };
     let files = shader

@@ -3,7 +3,7 @@
 use crate::hosts::host::Hosts;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Severity};
-use shaderlint_host::{presets, was_in_chunk};
+use shaderlint_host::was_in_chunk;
 use shaderlint_text::Sources;
 
 /// Takes such names out of the undeclared ones, and returns the findings about them. Those that the release in
@@ -16,8 +16,7 @@ pub fn take(
 ) -> Vec<Diagnostic> {
     let readings = &part.readings;
     let mut found = Vec::new();
-    let mut all = presets().filter(|p| !p.removed.is_empty() && readings.hosts.contains(&p.title));
-    let Some(host) = all.next() else {
+    let Some(host) = readings.presets().find(|p| !p.removed.is_empty()) else {
         return found;
     };
     unknown.retain(|d| {

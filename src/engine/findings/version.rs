@@ -36,12 +36,12 @@ fn missing(shader: &ShaderCheck) -> Option<Diagnostic> {
     let word = first.text.get(at.clone())?;
     let span = Span::new(first.base + at.start as u32, first.base + at.end as u32);
     let message = format!("`{word}` requires GLSL ES 3.00, but `#version 300 es` is missing");
-    let edit = Edit::insert(first.base, "#version 300 es\n");
     let d = Diagnostic::of(error::NEEDS_WEBGL2, severity, span, message)
         .note("a shader without `#version` is GLSL ES 1.00 (section 3.4)");
     if let Some(setting) = &part.readings.version_setting {
         return Some(d.help(format!("set `{setting}` next to the shader")));
     }
+    let edit = Edit::insert(first.base, "#version 300 es\n");
     let title = "add `#version 300 es` as the first line";
     Some(d.fix(Some(Fix::suggestion(title, vec![edit]))))
 }

@@ -69,7 +69,7 @@ fn handed_to(receiver: &ShaderReceiver, around: &[&'static Preset]) -> Option<Ha
         host,
         is_bare: has(&host.bare),
         is_300: match host.glsl.as_slice() {
-            [key, _, new] => {
+            [key, new] => {
                 set.any(|(name, value)| name == key && [new, "300 es"].contains(&value.as_str()))
             }
             _ => false,

@@ -2,12 +2,12 @@
 
 use super::host::Hosts;
 use super::webgl::context;
+use crate::shader::reading::lacking;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Severity};
 use shaderlint_explain::Checked;
 use shaderlint_project::{Hushed, spread};
 use shaderlint_text::{FileId, Sources};
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Maximum number of lists that a shader is checked with.
@@ -18,16 +18,16 @@ const MAX_LISTS: usize = 4;
 pub fn join(
     sources: &mut Arc<Sources>,
     part: &mut ShaderInput,
-    (alone, lacks): (&Checked, &Option<BTreeSet<String>>),
+    alone: &Checked,
     hosts: &Hosts,
     hushed: &mut Hushed,
 ) -> Option<Checked> {
     let readings = &part.readings;
-    let is_candidate = lacks.as_ref().is_some_and(|names| !names.is_empty())
-        && part.embedded.is_none()
+    let is_candidate = part.embedded.is_none()
         && part.host.is_none()
         && readings.holds_entry()
-        && !readings.is_shadertoy();
+        && !readings.is_shadertoy()
+        && lacking(alone).is_some_and(|names| !names.is_empty());
     if !is_candidate {
         return None;
     }

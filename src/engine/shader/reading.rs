@@ -7,7 +7,7 @@ use crate::options::{DialectChoice, Options};
 use shaderlint_detect::kind::has_main;
 use shaderlint_diagnostic::{Diagnostic, Lack, Severity, error};
 use shaderlint_explain::{Checked, analyze_chunk, analyze_within, confirm_unknown};
-use shaderlint_host::{HostVersion, Preset, chunk_prelude, is_chunk};
+use shaderlint_host::{HostVersion, Preset, chunk_prelude, is_chunk, presets};
 use shaderlint_project::chunks_in;
 use shaderlint_semantic::snippet::is_body;
 use shaderlint_semantic::{
@@ -223,6 +223,11 @@ impl Readings {
         Readings::of(sources, ("", self.guessed), text, options)
     }
 
+    /// The known hosts among those that may complete the text.
+    pub fn presets(&self) -> impl Iterator<Item = &'static Preset> {
+        presets().filter(|preset| self.hosts.contains(&preset.title))
+    }
+
     /// The names of the chunks that the text includes and that some host has.
     pub fn chunks(&self) -> &[String] {
         &self.chunks
@@ -349,7 +354,7 @@ impl Readings {
             true => GuessedKind::WebGl2,
             false => GuessedKind::WebGl1,
         };
-        if let [key, _, new] = host.glsl.as_slice() {
+        if let [key, new] = host.glsl.as_slice() {
             self.version_setting = Some(format!("{key}: {new}"));
         }
         self.all = vec![self.as_it_is(sources, Some(kind), options)?];

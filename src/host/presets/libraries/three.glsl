@@ -28,7 +28,7 @@
 // complete: ShaderMaterial shaderMaterial
 // patched: onBeforeCompile
 // bare: RawShaderMaterial
-// glsl: glslVersion GLSL1 GLSL3
+// glsl: glslVersion GLSL3
 // also: color tangent uv1 uv2 uv3 morphTexture morphTarget* morphNormal* toneMapping* saturate LinearToneMapping ReinhardToneMapping CineonToneMapping ACESFilmicToneMapping AgXToneMapping NeutralToneMapping CustomToneMapping
 // removed: mapTexelToLinear 137 remove the call: textures are decoded when they are read
 // removed: envMapTexelToLinear 137 remove the call: textures are decoded when they are read
