@@ -18,7 +18,6 @@ mod shader;
 mod text;
 
 pub use check::{analyze, check, check_content};
-pub use findings::partner::program_name;
 pub use findings::report::Report;
 pub use fix::fix_text::fix_text;
 pub use fix::format::{Formatting, format};
@@ -31,6 +30,7 @@ pub use shader::analysis::Analysis;
 pub use shader::shader_input::Shader;
 pub use shaderlint_semantic::Completeness;
 pub use text::split::Unread;
+pub use text::stage_name::program_name;
 
 #[cfg(test)]
 mod tests {

@@ -5,8 +5,9 @@
 //! with all macros that can be defined together and with only those that its branch needs, whatever
 //! other groups select.
 
-use super::assumption::{AssumedMacros, BranchNeeds};
 use super::stage::ShaderCheck;
+use crate::shader::assumption::{AssumedMacros, BranchNeeds};
+use crate::shader::reading::Readings;
 use crate::shader::shader_input::ShaderInput;
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::{Applicability, Certainty, Diagnostic, Severity};
@@ -81,6 +82,7 @@ fn mistakes(
     let Some(readings) = part
         .readings
         .with_macros(&mut sources, &assumed.definitions())
+        .map(Readings::into_parts)
     else {
         return Vec::new();
     };

@@ -1,6 +1,5 @@
 //! Findings in the text of a file, in stages.
 
-mod assumption;
 pub mod chunks;
 mod comments;
 mod group;

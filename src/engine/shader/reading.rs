@@ -510,12 +510,17 @@ impl Readings {
         Some(())
     }
 
-    /// The readings as parts of a shader that defines these macros before.
+    /// The readings as parts of a shader.
+    pub fn into_parts(mut self) -> Readings {
+        if self.presumed != PresumedCompleteness::Excerpt {
+            self.presumed = PresumedCompleteness::Chunk;
+        }
+        self
+    }
+
+    /// The readings of a shader that defines these macros before.
     pub fn with_macros(&self, sources: &mut Sources, definitions: &str) -> Option<Readings> {
         let mut found = self.clone();
-        if found.presumed != PresumedCompleteness::Excerpt {
-            found.presumed = PresumedCompleteness::Chunk;
-        }
         for reading in &mut found.all {
             let prelude = sources.add("", None, Role::Prelude, definitions)?;
             let first = reading.files.first().and_then(|id| sources.code(*id))?;

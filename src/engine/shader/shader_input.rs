@@ -39,8 +39,8 @@ impl ShaderInput {
     /// A shader on its own.
     pub fn new(readings: Readings) -> ShaderInput {
         ShaderInput {
+            infer_channels: readings.is_shadertoy(),
             readings,
-            infer_channels: false,
             embedded: None,
             embedder: Embedder::default(),
             mipmapped: [None; 4],
@@ -64,6 +64,7 @@ impl ShaderInput {
         };
         ShaderInput {
             host,
+            infer_channels: false,
             mipmapped: unit.mipmapped,
             ..ShaderInput::new(Readings::of_complete(reading))
         }

@@ -3,11 +3,12 @@
 use super::foreign;
 use super::leading_blanks::leading_blanks;
 use super::pieces::pieces;
+use super::shader_file::shaders;
 use crate::check_context::CheckContext;
 use crate::hosts::hosted;
 use crate::options::Options;
 use crate::shader::input::SplitInput;
-use crate::shader::reading::{InputText, Readings, Surroundings};
+use crate::shader::reading::{InputText, Surroundings};
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::{
     DocumentLanguage, Embedded, Embedder, LeadingBlanks, NamedStage, Wrapping, joined,
@@ -50,7 +51,6 @@ pub fn parts(
     );
     let is_desktop = is_document && speaks_of_desktop(text);
     let around = FileContext {
-        embedder,
         is_300,
         is_compiled,
     };
@@ -85,11 +85,12 @@ pub fn parts(
                 pieces(sources, file, embedded, &mut modules)?
             }
         };
-        let part = part(input, embedded, read, around, options)?;
-        input.parts.push(ShaderInput {
+        let shaders = shaders_of(input, embedded, read, around, options)?.into_iter();
+        input.parts.extend(shaders.map(|shader| ShaderInput {
             embedded: Some(index),
-            ..part
-        });
+            embedder,
+            ..shader
+        }));
     }
     input.embedded = all;
     Some(())
@@ -120,7 +121,6 @@ fn embedder(
 /// What is known about the file around a shader.
 #[derive(Clone, Copy)]
 struct FileContext {
-    embedder: Embedder,
     /// Whether it uses only GLSL ES 3.00.
     is_300: bool,
     /// Whether it compiles its shaders itself, unchanged.
@@ -163,13 +163,13 @@ fn is_excerpt(embedded: &Embedded) -> bool {
     is_shown(embedded) && (!has_entry || embedded.has_holes)
 }
 
-fn part(
+fn shaders_of(
     input: &mut SplitInput,
     embedded: &Embedded,
     files: Vec<FileId>,
     around: FileContext,
     options: &Options,
-) -> Option<ShaderInput> {
+) -> Option<Vec<ShaderInput>> {
     let code = embedded.code.as_str();
     let guessed = guess(code);
     let text = InputText {
@@ -192,18 +192,7 @@ fn part(
         is_300: around.is_300,
         has_holes: is_excerpt(embedded) || embedded.has_holes,
     };
-    let readings = Readings::of(
-        Arc::make_mut(&mut input.sources),
-        (code, guessed),
-        text,
-        options,
-    )?;
-    let first = readings.all.first()?;
-    Some(ShaderInput {
-        infer_channels: first.dialect.is_shadertoy(),
-        embedder: around.embedder,
-        ..ShaderInput::new(readings)
-    })
+    shaders(input, (code, guessed), text, options)
 }
 
 /// Completes an excerpt: its functions and directives, then its statements in a function. Each

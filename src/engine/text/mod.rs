@@ -6,3 +6,4 @@ mod leading_blanks;
 mod pieces;
 pub mod shader_file;
 pub mod split;
+pub mod stage_name;

@@ -1,7 +1,9 @@
 //! A shader in a file of its own.
 
+use super::stage_name::StageName;
 use crate::check_context::CheckContext;
 use crate::options::{DialectChoice, Options};
+use crate::shader::assumption::{SelectedShader, selected_shaders};
 use crate::shader::input::SplitInput;
 use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
@@ -22,12 +24,15 @@ pub fn shader_part(
 ) -> Option<()> {
     let options = context.options;
     let extension = file_extension(name);
-    let stage = match extension.as_str() {
+    let by_extension = match extension.as_str() {
         "vert" | "vs" | "vsh" => Some(Stage::Vertex),
         "frag" | "fs" | "fsh" => Some(Stage::Fragment),
         _ => None,
     };
     let guessed = guess(text);
+    let by_name = || StageName::of(name).map(|named| named.stage);
+    let by_name = || by_name().filter(|stage| guessed.stage.is_none_or(|own| own == *stage));
+    let stage = by_extension.or_else(by_name);
     let masked = match may_be_template(text, &guessed, options) {
         true => mask(text),
         false => None,
@@ -51,7 +56,7 @@ pub fn shader_part(
     let about = InputText {
         files,
         stage,
-        surroundings: match stage {
+        surroundings: match by_extension {
             _ if is_common(name, text, context.file_access()) => Surroundings::CommonFile,
             Some(_) => Surroundings::StageFile,
             None => Surroundings::File,
@@ -61,19 +66,37 @@ pub fn shader_part(
         is_300: false,
         has_holes,
     };
-    let readings = Readings::of(
-        Arc::make_mut(&mut input.sources),
-        (text, guessed),
-        about,
-        options,
-    )?;
-    let first = readings.all.first()?;
-    input.parts.push(ShaderInput {
-        infer_channels: first.dialect.is_shadertoy(),
-        missing,
-        ..ShaderInput::new(readings)
-    });
+    let shaders = shaders(input, (text, guessed), about, options)?.into_iter();
+    input.parts.extend(shaders.map(|shader| ShaderInput {
+        missing: missing.clone(),
+        ..shader
+    }));
     Some(())
+}
+
+/// The shaders of a text: macros may select one of several.
+pub fn shaders(
+    input: &mut SplitInput,
+    (code, guessed): (&str, Guess),
+    about: InputText,
+    options: &Options,
+) -> Option<Vec<ShaderInput>> {
+    let sources = Arc::make_mut(&mut input.sources);
+    let selected = selected_shaders(code);
+    if selected.is_empty() {
+        let readings = Readings::of(sources, (code, guessed), about, options)?;
+        return Some(vec![ShaderInput::new(readings)]);
+    }
+    let shader = |shader: &SelectedShader| {
+        let about = InputText {
+            stage: Some(shader.stage),
+            ..about.clone()
+        };
+        let readings = Readings::of(sources, (code, guessed), about, options)?;
+        let readings = readings.with_macros(sources, &shader.macros.definitions())?;
+        Some(ShaderInput::new(readings))
+    };
+    selected.iter().map(shader).collect()
 }
 
 /// Whether a program may fill holes in a shader file. If the text is evidently complete, only holes

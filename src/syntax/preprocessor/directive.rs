@@ -9,7 +9,7 @@ use crate::names::Name;
 use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
-use shaderlint_text::{Edit, Span};
+use shaderlint_text::{Edit, Role, Span};
 
 impl Preprocessor<'_> {
     /// Defines the predefined macros of the language.
@@ -340,6 +340,8 @@ impl Preprocessor<'_> {
             } else if let Some(slot) = self.macro_of.get_mut(name.0 as usize) {
                 *slot = 0;
             }
+        } else if self.role == Role::Prelude {
+            self.undefined.insert(name);
         }
         self.expect_end(rest, "undef");
     }

@@ -103,6 +103,7 @@ impl Preprocessor<'_> {
             let name = Name(p.token.value);
             p.token.kind == TokenKind::Identifier
                 && self.macro_named(name).is_none()
+                && !self.undefined.contains(&name)
                 && self.names.text(name) != "defined"
         })
     }

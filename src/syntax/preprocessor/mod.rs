@@ -205,6 +205,8 @@ struct Preprocessor<'a> {
     pasting: bool,
     lines: LineCount,
     bad_words: FxHashSet<Name>,
+    /// Names of which a host says that it does not define them.
+    undefined: FxHashSet<Name>,
     /// Names that start with a digit, and the index of the error about them.
     numbered_names: FxHashMap<Name, usize>,
     out: Tokens,
@@ -259,6 +261,7 @@ impl<'a> Preprocessor<'a> {
             pasting: false,
             lines: LineCount::default(),
             bad_words: FxHashSet::default(),
+            undefined: FxHashSet::default(),
             numbered_names: FxHashMap::default(),
             out: Tokens::default(),
             diagnostics: Vec::new(),

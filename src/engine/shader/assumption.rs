@@ -1,18 +1,23 @@
-//! Which macros must be defined so that a branch of `#if` is compiled.
+//! Which macros must be defined so that a branch of `#if` is compiled, and the shaders of a text that macros
+//! select.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_semantic::Program;
+use shaderlint_semantic::{Program, Stage};
 use shaderlint_syntax::{
-    BranchId, ConditionalDirective, ConditionalGroup, ConditionalGroups, MacroTestKind,
+    BranchId, ConditionalDirective, ConditionalGroup, ConditionalGroups, Lexer, MacroTestKind,
+    RawKind, TokenKind, is_blank,
 };
 use shaderlint_text::{FileId, Role, Sources};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
+use std::ops::Range;
 
 /// Maximum nesting of groups.
 const DEEPEST: usize = 32;
 /// Maximum number of branches in a group.
 const MOST_BRANCHES: usize = 32;
+/// Maximum number of shaders in a text.
+const MOST_SHADERS: usize = 8;
 /// Maximum number of different assumptions.
 const MOST_NEEDS: usize = 128;
 
@@ -70,7 +75,7 @@ impl AssumedMacros {
     /// an unknown name elsewhere.
     pub fn definitions(&self) -> String {
         let each = self.0.iter().map(|(name, assumed)| match assumed {
-            AssumedValue::Undefined => String::new(),
+            AssumedValue::Undefined => format!("#undef {name}\n"),
             AssumedValue::Defined => format!("#define {name} {name}\n"),
             AssumedValue::Value(value) => format!("#define {name} {value}\n"),
         });
@@ -109,25 +114,14 @@ impl BranchNeeds {
             starts.push((code.base, groups.current()));
             groups.read(code.text, code.base);
         }
-        let mut needs = FxHashMap::default();
-        let mut marks = BTreeMap::new();
-        for (index, group) in groups.all.iter().enumerate() {
-            let around = needs_of(&needs, group.around);
-            for (at, directive) in group.directives().enumerate() {
-                let own = match at < group.branches.len() {
-                    true => needed_by(group, at, around.clone(), &fixed),
-                    false => around.clone(),
-                };
-                marks.insert(directive.span.end, own.clone());
-                needs.insert((index, at), own);
-            }
-        }
+        let (mut marks, needs) = marks_of(&groups, &fixed);
         marks.extend(
             starts
                 .into_iter()
                 .map(|(base, id)| (base, needs_of(&needs, id))),
         );
-        let starts = program.tokens.inactive.iter();
+        let tokens = &program.tokens;
+        let starts = tokens.inactive.iter().filter(|s| tokens.is_undecided(**s));
         let within = |s: &shaderlint_text::Span| marks.range(s.start..s.end).map(|(at, _)| *at);
         let first =
             |s: &shaderlint_text::Span| marks.range(..=s.start).next_back().map(|(at, _)| *at);
@@ -153,6 +147,116 @@ impl BranchNeeds {
         let (_, needs) = self.marks.range(..=address).next_back()?;
         needs.as_ref().filter(|needs| !needs.is_empty())
     }
+}
+
+/// What applies from each address on, and what each branch needs.
+type Needs = (
+    BTreeMap<u32, Option<AssumedMacros>>,
+    FxHashMap<BranchId, Option<AssumedMacros>>,
+);
+
+/// What the branches of some groups need.
+fn marks_of(groups: &ConditionalGroups<ConditionalDirective>, fixed: &FxHashSet<String>) -> Needs {
+    let mut needs = FxHashMap::default();
+    let mut marks = BTreeMap::new();
+    for (index, group) in groups.all.iter().enumerate() {
+        let around = needs_of(&needs, group.around);
+        for (at, directive) in group.directives().enumerate() {
+            let own = match at < group.branches.len() {
+                true => needed_by(group, at, around.clone(), fixed),
+                false => around.clone(),
+            };
+            marks.insert(directive.span.end, own.clone());
+            needs.insert((index, at), own);
+        }
+    }
+    (marks, needs)
+}
+
+/// A shader among several in a text.
+pub struct SelectedShader {
+    /// The macros that a program defines before the text, to compile this one.
+    pub macros: AssumedMacros,
+    /// Its stage.
+    pub stage: Stage,
+}
+
+/// The shaders of a text with a `main` for each stage, of which macros select one that the text does not define
+/// itself; empty for all other texts.
+pub fn selected_shaders(text: &str) -> Vec<SelectedShader> {
+    if text.matches("main").count() < 2 || !text.contains("#if") {
+        return Vec::new();
+    }
+    let mains = entries(text);
+    let groups = ConditionalGroups::of(text, 0);
+    let (marks, _) = marks_of(&groups, &FxHashSet::default());
+    let is_defined = |name: &String| text.contains(&format!("#define {name}"));
+    let select = |entry: &Range<usize>| {
+        let (_, needs) = marks.range(..=entry.start as u32).next_back()?;
+        let macros = needs.clone().filter(|needs| !needs.0.is_empty())?;
+        let is_vertex = text.get(entry.clone())?.contains("gl_Position");
+        (!macros.0.keys().any(is_defined)).then_some(SelectedShader {
+            macros,
+            stage: if is_vertex {
+                Stage::Vertex
+            } else {
+                Stage::Fragment
+            },
+        })
+    };
+    let all: Option<Vec<SelectedShader>> = mains.iter().map(select).collect();
+    let all = all.unwrap_or_default();
+    let is_both = all.iter().any(|s| s.stage == Stage::Vertex)
+        && all.iter().any(|s| s.stage == Stage::Fragment);
+    let is_apart = |(at, one): (usize, &SelectedShader)| {
+        let others = all.iter().enumerate();
+        others
+            .filter(|(other, _)| *other != at)
+            .all(|(_, s)| s.macros != one.macros)
+    };
+    match is_both && all.len() <= MOST_SHADERS && all.iter().enumerate().all(is_apart) {
+        true => exclusive(all),
+        false => Vec::new(),
+    }
+}
+
+/// The same shaders, of which none defines the macros of another.
+fn exclusive(mut all: Vec<SelectedShader>) -> Vec<SelectedShader> {
+    let names = all.iter().flat_map(|s| s.macros.0.keys().cloned());
+    let names: BTreeSet<String> = names.collect();
+    for shader in &mut all {
+        for name in &names {
+            shader.macros.add(name, AssumedValue::Undefined);
+        }
+    }
+    all
+}
+
+/// The definitions of `main` in a text, each from its name up to the next one.
+fn entries(text: &str) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    let mut lexer = Lexer::new(text, 0);
+    let (mut before, mut last) = ("", "");
+    loop {
+        let token = lexer.next_token();
+        let word = text
+            .get(token.span.start as usize..token.span.end as usize)
+            .unwrap_or("");
+        match token.kind {
+            RawKind::End => break,
+            kind if is_blank(kind) => continue,
+            RawKind::Operator(TokenKind::LeftParen) if (before, last) == ("void", "main") => {
+                let start = token.span.start as usize;
+                if let Some(known) = found.last_mut() {
+                    known.end = start;
+                }
+                found.push(start..text.len());
+            }
+            _ => {}
+        }
+        (before, last) = (last, word);
+    }
+    found
 }
 
 /// The macros whose definition does not depend on a host or a user.
