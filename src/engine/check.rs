@@ -93,7 +93,7 @@ fn try_check(
     }
     let mut input = split(name, text, context, decision)?;
     let partner = partner::load(&mut input, name, context);
-    let may_link = partner.is_some() || input.embedded.len() > 1;
+    let may_link = partner.is_some() || input.parts.len() > 1;
     let language = match kind {
         FileKind::Foreign(language) if input.parts.is_empty() => Some(language),
         _ => None,

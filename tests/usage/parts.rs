@@ -311,3 +311,49 @@ fn only_context_independent_fixes_are_applied_to_fragments() {
     // The error between known operands is fixed; the name, which a program sets, stays.
     assert_eq!(scratch.read("a.glsl"), code.replace("x + 1", "x + 1.0"));
 }
+
+#[test]
+fn macros_select_the_shaders_of_a_text() {
+    let text = |vertex: &str, fragment: &str, end: &str, out: &str| {
+        format!(
+            "precision mediump float;\nvarying vec2 v;\n{vertex}\nattribute vec2 a;\n\
+             void main() {{ v = a; gl_Position = vec4(a, 0.0, 1.0); }}\n{fragment}\n\
+             void main() {{ gl_FragColor = {out}; }}\n{end}\n"
+        )
+    };
+    let forms = [
+        ["#ifdef VERTEX", "#endif\n#ifdef FRAGMENT", "#endif"],
+        ["#ifdef VERTEX", "#else", "#endif"],
+        ["#if defined(VS)", "#elif defined(FS)", "#endif"],
+        ["#if STAGE == 0", "#else", "#endif"],
+    ];
+    for [vertex, fragment, end] in forms {
+        let with = |out| text(vertex, fragment, end, out);
+        let line = 6 + fragment.lines().count();
+        check("a.glsl", &with("vec4(v, 0.0, 1.0)"), &[]);
+        check(
+            "a.glsl",
+            &with("vec3(v, 0.0)"),
+            &[&format!("{line}:15 vector-size")],
+        );
+        check(
+            "a.glsl",
+            &with("vec4(w, 0.0, 1.0)"),
+            &[&format!("{line}:35 undeclared-name")],
+        );
+    }
+    let unlike = "#ifdef VERTEX\nattribute vec2 a;\nvarying vec2 v;\n\
+         void main() { v = a; gl_Position = vec4(a, 0.0, 1.0); }\n#else\n\
+         precision mediump float;\nvarying vec3 v;\n\
+         void main() { gl_FragColor = vec4(v, 1.0); }\n#endif\n";
+    check("a.glsl", unlike, &["7:14 link-varying"]);
+}
+
+#[test]
+fn names_of_files_show_the_stage() {
+    let code = "varying vec2 v;\nvoid main() { v = vec2(0.0); }\n";
+    for name in ["vs.glsl", "water_vertex.glsl", "waterVert.glsl"] {
+        check(name, code, &[]);
+    }
+    check("fs.glsl", code, &["2:15 not-assignable"]);
+}

@@ -60,7 +60,8 @@ pub fn load(input: &mut SplitInput, name: &str, context: CheckContext) -> Option
     let file =
         Arc::make_mut(&mut input.sources).add(name.as_str(), None, Role::User, text.clone())?;
     let made = shader_part(input, &name, file, &text, context);
-    let other = (input.parts.len() > 1).then(|| input.parts.pop()).flatten();
+    let mut others = input.parts.split_off(1);
+    let other = others.pop().filter(|_| others.is_empty());
     // Errors in the other file are reported when that file is checked.
     let is_well = input.problems.len() == problems;
     input.problems.truncate(problems);
@@ -90,6 +91,14 @@ pub fn link_all(file: &mut FileCheck) {
             link_stages(sources, own, other, |_, _| {}, diagnostics);
         }
         keep_pair(sources, own, other, settings, diagnostics);
+        return;
+    }
+    if let ([one, other], true) = (file.parts.as_slice(), report.embedded.is_empty()) {
+        let stage = |part: &ShaderInput| part.reading().map(|r| r.stage);
+        if stage(one) != stage(other) {
+            link_stages(sources, one, other, |_, _| {}, diagnostics);
+            keep_pair(sources, one, other, settings, diagnostics);
+        }
         return;
     }
     let embedded = &report.embedded;

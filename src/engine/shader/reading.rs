@@ -65,6 +65,8 @@ pub struct InputText {
     pub is_300: bool,
     /// Whether code is omitted inside.
     pub has_holes: bool,
+    /// The directives that select it among the shaders of its text.
+    pub macros: String,
 }
 
 /// The context of a text.
@@ -126,6 +128,7 @@ impl Readings {
             is_compiled: false,
             is_300: false,
             has_holes: false,
+            macros: String::new(),
         };
         let complete = PresumedCompleteness::Complete;
         let mut found = Readings::new(text, complete, Guess::default());
@@ -157,15 +160,20 @@ impl Readings {
     pub fn of(
         sources: &mut Sources,
         (code, mut guessed): (&str, Guess),
-        text: InputText,
+        mut text: InputText,
         options: &Options,
     ) -> Option<Readings> {
         // Included text is part of the text, and resolved includes are not directives any more.
         let joined = (text.files.len() > 1).then(|| code_of(sources, &text.files));
-        if let Some(all) = &joined {
-            guessed = guess(all);
+        if joined.is_some() || !text.macros.is_empty() {
+            let all = joined.as_deref().unwrap_or(code);
+            guessed = guess(&format!("{}{all}", text.macros));
             // Includes were resolved, so missing files are known; chunks of a host are left.
             guessed.is_completed &= !chunks_in(all).is_empty();
+        }
+        if !text.macros.is_empty() {
+            let prelude = sources.add("", None, Role::Prelude, text.macros.as_str())?;
+            text.files = after_version(sources, text.files, prelude)?;
         }
         let code = joined.as_deref().unwrap_or(code);
         let needs_300 = LazyCell::new(|| needs_300(code));

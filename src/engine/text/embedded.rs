@@ -191,6 +191,7 @@ fn shaders_of(
         is_compiled: around.is_compiled && !is_shown(embedded),
         is_300: around.is_300,
         has_holes: is_excerpt(embedded) || embedded.has_holes,
+        macros: String::new(),
     };
     shaders(input, (code, guessed), text, options)
 }

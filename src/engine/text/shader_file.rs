@@ -65,6 +65,7 @@ pub fn shader_part(
         is_compiled: false,
         is_300: false,
         has_holes,
+        macros: String::new(),
     };
     let shaders = shaders(input, (text, guessed), about, options)?.into_iter();
     input.parts.extend(shaders.map(|shader| ShaderInput {
@@ -90,10 +91,10 @@ pub fn shaders(
     let shader = |shader: &SelectedShader| {
         let about = InputText {
             stage: Some(shader.stage),
+            macros: shader.macros.definitions(),
             ..about.clone()
         };
         let readings = Readings::of(sources, (code, guessed), about, options)?;
-        let readings = readings.with_macros(sources, &shader.macros.definitions())?;
         Some(ShaderInput::new(readings))
     };
     selected.iter().map(shader).collect()
