@@ -65,6 +65,10 @@ pub(super) fn keep_certain(
             .any(|d| d.certainty() == Certainty::Syntax && part.is_excused(d));
     let mut unclear = Vec::new();
     let mut is_displaced = false;
+    // An overload elsewhere may have another type.
+    let is_overloaded = |d: &&Diagnostic| d.is(error::ARGUMENT_MISMATCH) && part.is_of_own_call(d);
+    let of_calls = diagnostics.iter().filter(is_overloaded);
+    let of_calls: FxHashSet<usize> = of_calls.map(|d| part.statement(d.span).start).collect();
     diagnostics.retain_mut(|d| {
         if d.lacks() == Some(Lack::Name) {
             names.insert(program.sources.text(d.span).to_string());
@@ -78,7 +82,8 @@ pub(super) fn keep_certain(
                 .push("the host may define another overload".to_string());
             return true;
         }
-        let is_certain = part.is_certain(d, is_torn);
+        let of_call = of_calls.contains(&part.statement(d.span).start);
+        let is_certain = !of_call && part.is_certain(d, is_torn);
         if !is_certain && !is_absent(d) {
             is_displaced |= d.subject.is_brace() || d.has(Facet::Moves);
             unclear.push(d.span);
@@ -183,6 +188,13 @@ impl<'p> ChunkReader<'p> {
             return false;
         };
         let forms = self.own_functions.iter().filter(|(own, _)| own == name);
+        // An unknown macro may call its argument: `PLOT(f, 0.1)`.
+        let is_unknown =
+            |t: Token| t.kind == TokenKind::Identifier && !self.known.contains(&Name(t.value));
+        let mut statement = self.statement(d.span).filter_map(|i| self.token(i));
+        if d.is(error::NOT_A_VARIABLE) && statement.any(is_unknown) {
+            return false;
+        }
         d.certainty() == Certainty::Meaning
             && forms.count() == 1
             && self.is_user(d.span)

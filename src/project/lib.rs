@@ -39,7 +39,7 @@ pub use files::scan::{IncludedChunk, chunks_in};
 pub use files::words::{counts, hash};
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use include::gathered::{GatheredText, gather};
-pub use include::script::{ModuleCache, ScriptModules};
+pub use include::script::{ModuleCache, ScriptModules, module_files};
 pub use include::{
     Absence, FileMoves, Hushed, JoinedFiles, MissingInclude, Spread, moved_includes, spread,
 };

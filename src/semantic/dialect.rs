@@ -218,7 +218,7 @@ fn is_completed(text: &str) -> bool {
             let rest = rest.trim_start();
             let (name, after) = rest.split_at(word_of(rest));
             !matches!(name, "STDGL" | "optimize" | "debug")
-                && after.trim_start().starts_with([':', '('])
+                && after.trim_start().starts_with([':', '(', '<', '"'])
         };
         match word {
             "include" | "import" => true,

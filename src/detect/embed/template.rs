@@ -1,5 +1,5 @@
 //! Placeholders of template languages in shaders: `${x}`, `{{ x }}`, `{x}`, `[[x]]`, `<%= x %>`,
-//! `{% if x %}`, `@X@`, `##X##`, `%s`, `$x`, `$(x)` and `__X__`.
+//! `{% if x %}`, `@X@`, `##X##`, `#{x}`, `%s`, `$x`, `$(x)` and `__X__`.
 
 use super::hole::{Hole, HoleContent, is_keyword};
 use std::collections::HashSet;
@@ -10,7 +10,9 @@ const MAX_HOLE: usize = 1_000;
 
 /// The holes in a text, in source order. Anything that may be GLSL is not a hole.
 pub(super) fn holes(code: &str) -> Vec<Hole> {
-    let marks = ["$", "{{", "{%", "{#", "<%", "@", "%", "__", "[[", "##"];
+    let marks = [
+        "$", "{{", "{%", "{#", "<%", "@", "%", "__", "[[", "##", "#{",
+    ];
     let is_candidate =
         marks.iter().any(|m| code.contains(m)) || has_braced(code) || has_lines(code);
     if !is_candidate {
@@ -142,6 +144,11 @@ impl<'a> TemplateScan<'a> {
         let rest = rest.get(..end.unwrap_or(0)).unwrap_or("");
         match rest.as_bytes().first()? {
             b'$' => dollar(rest),
+            b'#' if rest.starts_with("#{") => {
+                let name = rest.get(2..rest.find('}')?)?;
+                let is_hole = !name.is_empty() && word(name) == name;
+                is_hole.then(|| (name.len() + 3, expression(name)))
+            }
             b'#' => {
                 let name = word(rest.strip_prefix("##")?);
                 let is_closed = rest.get(name.len() + 2..)?.starts_with("##");

@@ -35,8 +35,12 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         report_inactive(checked, &vocabulary, hosts);
     }
     if checked.completeness == Completeness::Complete {
+        if part.readings.is_shadertoy() && code.contains("uniform ") {
+            lower_shared(checked, hosts, &vocabulary);
+        }
         return leave_macros(checked, hosts, part.is_joined);
     }
+    leave_overloads(checked, hosts);
     let mut unknown = checked.open.unknown.clone();
     let count = |word: &str| vocabulary.count(word);
     let mut removed = removed::take(&mut unknown, (sources, part), hosts, count);
@@ -93,6 +97,32 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     }
     checked.diagnostics.append(&mut mistakes);
     sort(&mut checked.diagnostics);
+}
+
+/// Drops warnings about calls of functions that other files may overload.
+fn leave_overloads(checked: &mut Checked, hosts: &Hosts) {
+    let sources = &checked.program.sources;
+    let is_elsewhere = |d: &Diagnostic| {
+        let mut names = d.labels.iter().map(|l| sources.text(l.span));
+        names.any(|name| hosts.may_be_overloaded(name))
+    };
+    let is_open = |d: &Diagnostic| {
+        d.is(error::ARGUMENT_MISMATCH) && d.severity == Severity::Warning && is_elsewhere(d)
+    };
+    checked.diagnostics.retain(|d| !is_open(d));
+}
+
+/// Lowers errors about names of other files in a pass that declares uniforms, which a program other than
+/// ShaderToy's sets.
+fn lower_shared(checked: &mut Checked, hosts: &Hosts, vocabulary: &Vocabulary) {
+    let sources = &checked.program.sources;
+    let missing = checked.diagnostics.iter_mut();
+    for d in missing.filter(|d| d.lacks() == Some(Lack::Name)) {
+        let word = sources.text(d.span);
+        if hosts.is_used_outside(word, vocabulary.count(word)) {
+            d.severity = Severity::Warning;
+        }
+    }
 }
 
 /// Leaves open what a script defines as a macro of a complete shader, which its host inserts after

@@ -353,6 +353,12 @@ impl<'a> Hosts<'a> {
         cache.may_be_declared(word, &file, files)
     }
 
+    /// Whether another file of the repository has a function or macro of this name.
+    pub fn may_be_overloaded(&self, name: &str) -> bool {
+        let cache = &self.context.options.file_cache;
+        self.script.is_none() && cache.may_be_declared(name, &self.file(), self.context.files)
+    }
+
     /// Whether a part of a shader in another file or in the script declares a name, so that a script may put it
     /// before the text.
     pub fn may_be_joined(&self, word: &str) -> bool {

@@ -104,7 +104,7 @@ pub fn shaders(
 /// that are not valid GLSL and have both delimiters count.
 fn may_be_template(text: &str, guessed: &Guess, options: &Options) -> bool {
     let is_complete = guessed.kind.is_some_and(GuessedKind::is_complete);
-    let has_ends = ["${", "{{", "<%", "{%", "%%", "##", "$("]
+    let has_ends = ["${", "{{", "<%", "{%", "%%", "##", "$(", "#{"]
         .iter()
         .any(|s| text.contains(s));
     options.dialect == DialectChoice::Auto && (has_ends || !is_complete)

@@ -57,7 +57,7 @@ impl<'a> ScriptModules<'a> {
         let folder = Path::new(self.from).parent().unwrap_or(Path::new(""));
         let base = tidy(&folder.join(path));
         let is_file = |path: &PathBuf| self.access.files.entry(path) == Some(FileType::File);
-        let file = candidates(&base).into_iter().find(is_file)?;
+        let file = module_files(&base).into_iter().find(is_file)?;
         if let Some(known) = self.read.borrow().get(&file) {
             return Some(known.clone());
         }
@@ -83,7 +83,7 @@ impl<'a> ScriptModules<'a> {
 }
 
 /// The files that an import may refer to.
-fn candidates(base: &Path) -> Vec<PathBuf> {
+pub fn module_files(base: &Path) -> Vec<PathBuf> {
     let name = base.file_name().unwrap_or_default().to_string_lossy();
     let mut all = vec![base.to_path_buf()];
     // TypeScript is imported by the name of what it is compiled to.
