@@ -209,7 +209,7 @@ fn check_mentions(role: NameRole, marked: &str) {
     all.reverse();
     for mention in all {
         let (open, close) = match mention.kind {
-            MentionKind::Name => ("<", ">"),
+            MentionKind::Name | MentionKind::Edited => ("<", ">"),
             MentionKind::Shorthand => ("+", "+"),
             MentionKind::Unclear => ("?", "?"),
         };

@@ -182,6 +182,13 @@ fn whitespace_before_a_version_matters_unless_trimmed() {
         &[&reported.replace("warning", "error")],
     );
     check(&[("a.html", &page), ("read.js", trims)], &[]);
+    let imports = "import { read } from './lib/text';";
+    let files = [
+        ("a.html", &*page),
+        ("read.js", imports),
+        ("lib/text.ts", trims),
+    ];
+    check(&files, &[]);
 }
 
 #[test]
@@ -258,4 +265,70 @@ fn functions_of_files_that_a_script_joins_are_found() {
     let other = ("other.frag", "void main() { gl_FragColor = vec4(1.0); }\n");
     let files = [files[0], part, other, ("a.js", script), files[3]];
     check(&files, &[&of("warning")]);
+}
+
+const LACKING: &str =
+    "varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(vUv, uAmount, uBase); }\n";
+
+#[test]
+fn what_scripts_set_or_others_declare_is_forgotten() {
+    let base = (
+        "other.frag",
+        "precision mediump float;\nuniform float uBase;\nvoid main() { gl_FragColor = vec4(uBase); }\n",
+    );
+    let warnings = |at: [&str; 2]| {
+        [
+            format!(
+                "{}: warning[undeclared-name]: `uAmount` is not declared",
+                at[0]
+            ),
+            format!(
+                "{}: warning[undeclared-name]: `uBase` is not declared",
+                at[1]
+            ),
+        ]
+    };
+    let script = |more: &str| {
+        format!(
+            "export const effect = {{ uniforms: {{ uAmount: {{ value: 1 }}{more} }}, fragmentShader: `{LACKING}` }};\n"
+        )
+    };
+    let both = warnings(["2:40", "2:49"]);
+    let both = both.each_ref().map(String::as_str);
+    check(&[("a.js", &script(", uBase: { value: 2 }"))], &both);
+    check(
+        &[("a.js", &script("")), base, ("package.json", "{}")],
+        &both,
+    );
+    // A prelude may declare what nobody sets.
+    let listed =
+        "2:40: info[undeclared-name]: 2 names are not declared in this file: `uAmount`, `uBase`";
+    check(&[("a.js", &script(""))], &[listed]);
+    let prelude = ("prelude.glsl", "uniform float uBase;");
+    check(
+        &[("a.js", &script("")), base, prelude, ("package.json", "{}")],
+        &[listed],
+    );
+}
+
+#[test]
+fn functions_that_other_files_overload_have_any_type() {
+    let own = "struct Box { vec2 a; vec2 b; };\nBox turn(Box box, mat2 by) { return Box(turn(box.a, by), turn(box.b, by)); }\n";
+    let note = "expected `Box` as argument 1 of `turn`, found `vec2`";
+    let warnings = [
+        format!("2:46: warning[argument-mismatch]: {note}"),
+        format!("2:63: warning[argument-mismatch]: {note}"),
+    ];
+    check(&[("a.glsl", own)], &warnings.each_ref().map(String::as_str));
+    let other = ("b.glsl", "vec2 turn(vec2 at, mat2 by) { return by * at; }");
+    check(&[("a.glsl", own), other, ("package.json", "{}")], &[]);
+}
+
+#[test]
+fn unknown_macros_may_call_their_arguments() {
+    let code = "float f(float x) { return x; }\nvoid main() { float a = PLOT(f, 0.1); }\n";
+    check(
+        &[("a.glsl", &format!("#pragma include <plot>\n{code}"))],
+        &["3:25: info[undeclared-name]: `PLOT` is not declared in this file"],
+    );
 }

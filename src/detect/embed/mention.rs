@@ -32,6 +32,8 @@ pub enum MentionKind {
     Name,
     /// By a property that also names a variable of the script: `uniforms: { name }`.
     Shorthand,
+    /// In a text that it searches or changes: `source.replace("name", ...)`.
+    Edited,
     /// It may also be something else with the same name.
     Unclear,
 }
@@ -83,11 +85,8 @@ impl<'t> MentionReader<'t, '_> {
         name.is_some_and(is_about_inputs)
     }
 
-    fn add(&mut self, range: Range<usize>, is_clear: bool) {
-        let kind = match is_clear {
-            true => MentionKind::Name,
-            false => MentionKind::Unclear,
-        };
+    fn add(&mut self, range: Range<usize>, clear: Option<MentionKind>) {
+        let kind = clear.unwrap_or(MentionKind::Unclear);
         let range = range.start + self.base..range.end + self.base;
         self.found.push(Mention { range, kind });
     }
@@ -105,11 +104,12 @@ impl<'t> MentionReader<'t, '_> {
                 self.edited(id, &node.span, &[]);
             }
             NodeKind::Member(name) if is_named(name) => {
-                self.add(name.clone(), self.is_about_inputs(self.tree.child(id, 0)));
+                let is_clear = self.is_about_inputs(self.tree.child(id, 0));
+                self.add(name.clone(), is_clear.then_some(MentionKind::Name));
             }
             NodeKind::Property(name) if is_named(name) => {
                 let of_inputs = node.parent.is_some_and(|object| self.holds_inputs(object));
-                self.add(name.clone(), of_inputs);
+                self.add(name.clone(), of_inputs.then_some(MentionKind::Name));
                 let value = self
                     .tree
                     .child(id, 0)
@@ -182,7 +182,8 @@ impl<'t> MentionReader<'t, '_> {
         let receiver = self.receiver(id);
         let is_clear = receiver.is_some_and(|(of, _)| self.is_about_inputs(Some(of)));
         if self.role == NameRole::Input || is_clear && receiver.is_some_and(|(_, calls)| calls) {
-            self.add(span.start..span.start + self.name.len(), is_clear);
+            let range = span.start..span.start + self.name.len();
+            self.add(range, is_clear.then_some(MentionKind::Name));
         }
     }
 
@@ -204,7 +205,11 @@ impl<'t> MentionReader<'t, '_> {
             let at = span.start + start;
             // What is inserted is an expression of the script.
             if is_whole && !holes.iter().any(|hole| hole.contains(&at)) {
-                self.add(at..at + self.name.len(), self.is_edited(id));
+                let is_edited = self.is_edited(id);
+                self.add(
+                    at..at + self.name.len(),
+                    is_edited.then_some(MentionKind::Edited),
+                );
             }
         }
     }

@@ -64,15 +64,18 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     let named = |d: &Diagnostic| sources.text(d.span).to_string();
     let names = unknown.iter().map(named).collect::<BTreeSet<_>>().len();
     let is_known = is_known(part);
-    let openness = Openness::of(part, &unknown, names, |d| {
+    let is_typo = |d: &Diagnostic| {
         let word = sources.text(d.span);
         is_near(d, word) && vocabulary.count(word) == 1
-    });
+    };
+    let is_forgotten = |d: &Diagnostic| is_forgotten(sources.text(d.span), hosts);
+    let openness = Openness::of(part, &unknown, names, is_typo, is_forgotten);
     let (mut mistakes, others): (Vec<Diagnostic>, Vec<Diagnostic>) =
         unknown.into_iter().partition(|d| {
             let word = sources.text(d.span);
             let count = vocabulary.count(word);
             match openness {
+                Openness::Forgetful => !hosts.is_given(word),
                 Openness::Open => is_near(d, word) && !hosts.is_used_outside(word, count),
                 // A host that is known gives it no text from elsewhere.
                 Openness::Complete if is_known => !hosts.may_be_declared_in_script(word, count),
@@ -195,6 +198,8 @@ impl<'p> Optional<'p> {
 enum Openness {
     /// No declarations.
     Complete,
+    /// None of the names that it lacks: scripts set them, or other shaders declare them for themselves.
+    Forgetful,
     /// Nothing that is known: it has an entry function, and declares all names except one.
     Closed,
     /// Any declarations.
@@ -208,6 +213,7 @@ impl Openness {
         unknown: &[Diagnostic],
         names: usize,
         is_typo: impl Fn(&Diagnostic) -> bool,
+        is_forgotten: impl Fn(&Diagnostic) -> bool,
     ) -> Openness {
         let readings = &part.readings;
         if !readings.holds_entry() && !readings.is_called
@@ -219,12 +225,19 @@ impl Openness {
         // A text in which all undeclared names are typos needs no host.
         if is_known(part) || unknown.iter().all(is_typo) {
             Openness::Complete
+        } else if unknown.iter().all(is_forgotten) {
+            Openness::Forgetful
         } else if names == 1 {
             Openness::Closed
         } else {
             Openness::Open
         }
     }
+}
+
+/// Whether a name is a macro of scripts, or one that no host declares.
+fn is_forgotten(word: &str, hosts: &Hosts) -> bool {
+    hosts.is_given(word) || hosts.is_forgotten(word)
 }
 
 /// Whether all that the hosts of a text add to it is known.

@@ -5,7 +5,8 @@ use crate::check_context::CheckContext;
 use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::embed::{
-    AskedWebGl, DocumentLanguage, Embedded, ParsedScript, ShaderReceiver, lists,
+    AskedWebGl, DocumentLanguage, Embedded, Mention, MentionKind, NameRole, ParsedScript,
+    ShaderReceiver, lists, mentions,
 };
 use shaderlint_detect::kind::{file_extension, has_main};
 use shaderlint_host::{ChunkLibrary, Preset, presets};
@@ -351,6 +352,36 @@ impl<'a> Hosts<'a> {
         let file = self.file();
         let cache = &self.context.options.file_cache;
         cache.may_be_declared(word, &file, files)
+    }
+
+    /// Whether a script around the text sets an input of this name: in `uniforms: { name: ... }` or
+    /// `getUniformLocation(program, "name")`.
+    fn is_set(&self, name: &str) -> bool {
+        self.scripts().iter().any(|(path, text)| {
+            let extension = file_extension(&path.to_string_lossy());
+            let language =
+                DocumentLanguage::of_extension(&extension).filter(|_| text.contains(name));
+            let all = language.map(|of| mentions(of, text, name, NameRole::Input));
+            let is_name =
+                |m: &Mention| matches!(m.kind, MentionKind::Name | MentionKind::Shorthand);
+            all.is_some_and(|all| all.iter().any(is_name))
+        })
+    }
+
+    /// Whether a script around the text sets an input of this name, or other complete shaders declare it for
+    /// themselves, and no text that a program may put before others declares it.
+    pub fn is_forgotten(&self, name: &str) -> bool {
+        let cache = &self.context.options.file_cache;
+        let (file, files) = (self.file(), self.context.files);
+        let is_own = |text: &str| NamesForOthers::of(self.name, text).owned.contains(&name);
+        let is_set = self.is_set(name);
+        // What a script says about its own shaders holds whatever other files declare.
+        if let Some(script) = &self.script
+            && (is_set || is_own(script))
+        {
+            return !self.may_be_declared_in_script(name, usize::MAX);
+        }
+        (is_set || cache.is_owned(name, &file, files)) && !cache.is_declared(name, &file, files)
     }
 
     /// Whether another file of the repository has a function or macro of this name.

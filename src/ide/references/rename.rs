@@ -173,7 +173,9 @@ fn edits(
     for (place, (kind, _)) in &family.mentions {
         let edit = match kind {
             MentionKind::Shorthand => Edit::insert(place.span.start, format!("{new}: ")),
-            MentionKind::Name | MentionKind::Unclear => Edit::replace(place.span, new),
+            MentionKind::Name | MentionKind::Edited | MentionKind::Unclear => {
+                Edit::replace(place.span, new)
+            }
         };
         renaming
             .edits

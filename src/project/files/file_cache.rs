@@ -88,6 +88,19 @@ impl FileCache {
         })
     }
 
+    /// Whether another file of the repository declares a name outside of complete shaders.
+    pub fn is_declared(&self, name: &str, file: &Path, files: &dyn Files) -> bool {
+        self.of_repository(file, files, |words| {
+            !words.is_all || words.is_declared(name, file, files)
+        })
+    }
+
+    /// Whether complete shaders of other files declare an input or output of this name for themselves, and
+    /// none lacks it.
+    pub fn is_owned(&self, name: &str, file: &Path, files: &dyn Files) -> bool {
+        self.of_repository(file, files, |words| words.is_owned(name, file, files))
+    }
+
     /// The root of the repository that contains a file.
     pub fn top(&self, file: &Path, files: &dyn Files) -> Arc<PathBuf> {
         let folder = file.parent().unwrap_or(Path::new(""));

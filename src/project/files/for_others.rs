@@ -20,6 +20,8 @@ pub struct NamesForOthers<'t> {
     pub declared: Vec<&'t str>,
     /// Words of complete shaders that they do not declare.
     pub lacked: Vec<&'t str>,
+    /// Inputs and outputs that complete shaders declare for themselves.
+    pub owned: Vec<&'t str>,
     /// Whether a program puts declarations together from parts.
     pub writes_declarations: bool,
 }
@@ -37,6 +39,7 @@ impl<'t> NamesForOthers<'t> {
             let mut declared = Vec::new();
             declarations(own, DeclarationPlace::Anywhere, &mut declared);
             declared.sort_unstable();
+            interface(own, &mut found.owned);
             let lacks = |word: &&str| declared.binary_search(word).is_err();
             found
                 .lacked
@@ -104,6 +107,34 @@ fn variables(text: &str) -> Vec<&str> {
             _ => {}
         }
         after_dot = token.kind == RawKind::Operator(TokenKind::Dot);
+    }
+}
+
+/// The inputs and outputs that a shader declares, without the members of blocks.
+fn interface<'t>(text: &'t str, found: &mut Vec<&'t str>) {
+    let mut lexer = Lexer::new(text, 0);
+    // How many words follow up to a name, while a declaration is open.
+    let mut left = None;
+    let mut open = 0_u32;
+    loop {
+        let token = lexer.next_token();
+        let word = text.get(token.span.start as usize..token.span.end as usize);
+        match (token.kind, word.unwrap_or("")) {
+            (RawKind::End, _) => return,
+            (RawKind::Word, "uniform" | "varying" | "attribute" | "in" | "out") if open == 0 => {
+                left = Some(1_u32);
+            }
+            (RawKind::Word, "lowp" | "mediump" | "highp") => {}
+            (RawKind::Word, name) if open == 0 => match left {
+                Some(0) => found.push(name),
+                Some(more) => left = Some(more - 1),
+                None => {}
+            },
+            (RawKind::Operator(_), "(" | "[" | "{") => open += 1,
+            (RawKind::Operator(_), ")" | "]" | "}") => open = open.saturating_sub(1),
+            (RawKind::Operator(_), ";" | "=") => left = None,
+            _ => {}
+        }
     }
 }
 

@@ -102,6 +102,8 @@ struct DeclaredWords {
     declared: WordFiles,
     /// Words of complete shaders that these do not declare.
     lacked: WordFiles,
+    /// Inputs and outputs that complete shaders declare for themselves.
+    owned: WordFiles,
     /// Whether a program puts declarations together from parts.
     writes_declarations: bool,
 }
@@ -181,6 +183,7 @@ impl RepositoryWords {
             for (words, all) in [
                 (names.declared, &mut found.declared),
                 (names.lacked, &mut found.lacked),
+                (names.owned, &mut found.owned),
             ] {
                 words.iter().for_each(|word| all.add(hash(word), *number));
             }
@@ -192,6 +195,21 @@ impl RepositoryWords {
     /// Whether a word appears in a file other than this one.
     pub fn is_elsewhere(&self, word: &str, file: &Path) -> bool {
         self.words.is_elsewhere(word, self.files.get(file).copied())
+    }
+
+    /// Whether another file declares a name outside of complete shaders.
+    pub fn is_declared(&self, name: &str, file: &Path, files: &dyn Files) -> bool {
+        let own = self.files.get(file).copied();
+        let found = self.declared.get_or_init(|| self.read_declared(files));
+        self.is_elsewhere(name, file) && found.declared.is_elsewhere(name, own)
+    }
+
+    /// Whether complete shaders of other files declare an input or output of this name for themselves, and
+    /// none lacks it.
+    pub fn is_owned(&self, name: &str, file: &Path, files: &dyn Files) -> bool {
+        let own = self.files.get(file).copied();
+        let found = self.declared.get_or_init(|| self.read_declared(files));
+        found.owned.is_elsewhere(name, own) && !found.lacked.is_elsewhere(name, own)
     }
 
     /// Whether another file may declare a name for a complete shader of this file: it declares the name

@@ -19,6 +19,7 @@
 // source: three-custom-shader-material 6.4.0, vanilla/three-custom-shader-material.es.js; three 0.187.0, src/renderers/webgl/WebGLProgram.js
 // package: three-custom-shader-material
 // word: csm_*
+// also: diffuse opacity emissive specular shininess roughness metalness ior clearcoat clearcoatRoughness iridescence iridescenceIOR sheenColor sheenRoughness specularColor specularIntensity dispersion matcap map alphaMap aoMap bumpMap displacementMap emissiveMap envMap lightMap metalnessMap normalMap roughnessMap specularMap
 // entry: main
 #undef SHADER_TYPE
 #undef SHADER_NAME
