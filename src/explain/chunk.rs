@@ -88,6 +88,11 @@ pub(super) fn keep_certain(
             is_displaced |= d.subject.is_brace() || d.has(Facet::Moves);
             unclear.push(d.span);
         }
+        if is_certain && d.severity == Severity::Error && part.is_undecided(d.span) {
+            d.severity = Severity::Warning;
+            d.notes
+                .push("no error if the host defines macros that exclude it".to_string());
+        }
         is_certain
     });
     let dropped = count - diagnostics.len();

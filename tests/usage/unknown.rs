@@ -332,3 +332,43 @@ fn unknown_macros_may_call_their_arguments() {
         &["3:25: info[undeclared-name]: `PLOT` is not declared in this file"],
     );
 }
+
+#[test]
+fn directives_that_a_program_reads_are_not_errors() {
+    let code = "precision highp float;\n#value uTime:1.0\nuniform float uTime;\nvoid main() { gl_FragColor = vec4(uTime); }\n";
+    let reported = "2:1: error[bad-directive]: unknown directive `#value`";
+    check(&[("a.frag", code)], &[reported]);
+    let plugin = ("plugin.js", "const glsl = s => s.replace(/#value.+/g, '');");
+    check(&[("a.frag", code), plugin, ("package.json", "{}")], &[]);
+}
+
+#[test]
+fn other_branches_of_macros_of_a_host_are_warnings() {
+    let code =
+        "vec3 f(vec4 texel) {\n#ifdef PACKED\nreturn texel.rgb;\n#else\nreturn texel;\n#endif\n}\n";
+    let warning = "5:1: warning[vector-size]: expected return value of type `vec3`, found `vec4`";
+    check(&[("a.glsl", code)], &[warning]);
+}
+
+#[test]
+fn macros_in_scripts_may_be_expressions() {
+    check(
+        &[(
+            "a.js",
+            "m.defines.KEEP = /* glsl */ `bool[](${all.join(', ')})`;\n",
+        )],
+        &[],
+    );
+}
+
+#[test]
+fn modules_that_are_not_installed_may_declare_functions() {
+    let code = "import { shaderMaterial } from '@react-three/drei';\nconst M = shaderMaterial({ uTime: 0 },\n\
+        glsl`varying vec2 vUv; void main() { vUv = uv; gl_Position = vec4(position, 1.0); }`,\n\
+        glsl`#pragma glslify: noise = require(glsl-noise/classic/3d.glsl)\nuniform float uTime;\nvarying vec2 vUv;\n\
+        void main() { gl_FragColor = vec4(noise(vec3(vUv, uTime)));\n#include <colorspace_fragment>\n}`);\n";
+    check(
+        &[("a.jsx", code), ("package.json", "{}")],
+        &["7:35: info[undeclared-name]: `noise` is not declared in this file"],
+    );
+}

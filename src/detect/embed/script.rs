@@ -154,7 +154,8 @@ impl Script<'_> {
             return None;
         }
         let all = joined(&code.code, &code.inserted);
-        if all.trim().is_empty() || !is_taken(&all, context, self.is_named) {
+        // A macro for a shader may be an expression.
+        if !all.contains([';', '{', '#', '\n']) || !is_taken(&all, context, self.is_named) {
             return None;
         }
         let masked = mask(&code.code);

@@ -14,6 +14,7 @@ use shaderlint_diagnostic::{Diagnostic, Fix, Lack, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::{matches_any, was_in_chunk};
 use shaderlint_semantic::{BuiltinId, Completeness};
+use shaderlint_syntax::DIRECTIVES;
 use shaderlint_text::{Edit, Role, Span};
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -35,6 +36,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
         report_inactive(checked, &vocabulary, hosts);
     }
     if checked.completeness == Completeness::Complete {
+        leave_directives(checked, hosts);
         if part.readings.is_shadertoy() && code.contains("uniform ") {
             lower_shared(checked, hosts, &vocabulary);
         }
@@ -113,6 +115,23 @@ fn leave_overloads(checked: &mut Checked, hosts: &Hosts) {
         d.is(error::ARGUMENT_MISMATCH) && d.severity == Severity::Warning && is_elsewhere(d)
     };
     checked.diagnostics.retain(|d| !is_open(d));
+}
+
+/// Drops errors about directives that a program of the repository mentions: it reads them.
+fn leave_directives(checked: &mut Checked, hosts: &Hosts) {
+    let sources = &checked.program.sources;
+    let is_read = |d: &Diagnostic| {
+        let code = sources.code_at(d.span.start);
+        let line = code.and_then(|c| c.text.get((d.span.start - c.base) as usize..));
+        let line = line.and_then(|rest| rest.trim_start().strip_prefix('#'));
+        let word = line.map_or("", str::trim_start);
+        let end = word.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let word = word.get(..end.unwrap_or(word.len())).unwrap_or("");
+        !DIRECTIVES.contains(&word) && hosts.is_used_outside(&format!("#{word}"), 0)
+    };
+    checked
+        .diagnostics
+        .retain(|d| !d.is(error::BAD_DIRECTIVE) || d.fix.is_some() || !is_read(d));
 }
 
 /// Lowers errors about names of other files in a pass that declares uniforms, which a program other than

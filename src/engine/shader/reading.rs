@@ -400,7 +400,7 @@ impl Readings {
             self.renames |= preset.renames;
             are_known &= self.complete(sources, Some(preset), options)?;
         }
-        self.guessed.is_completed &= !are_known;
+        self.guessed.is_completed &= !are_known || guess(&without_chunks(code)).is_completed;
         Some(())
     }
 
@@ -672,6 +672,14 @@ pub fn code_of(sources: &Sources, files: &[FileId]) -> String {
     let codes = files.iter().filter_map(|id| sources.code(*id));
     let own = codes.filter(|c| c.role == Role::User);
     own.map(|c| c.text).collect::<Vec<_>>().join("\n")
+}
+
+/// The code of a text without the directives for chunks of its host.
+fn without_chunks(mut code: String) -> String {
+    for chunk in chunks_in(&code) {
+        code.replace_range(chunk.range.clone(), &" ".repeat(chunk.range.len()));
+    }
+    code
 }
 
 /// The kind of a text: what it is written for.

@@ -168,6 +168,13 @@ impl RepositoryWords {
         if is_about_shaders {
             self.about_shaders.push(path.clone());
         }
+        if is_about_shaders && is_program {
+            let after = text
+                .split('#')
+                .skip(1)
+                .filter_map(|rest| words(rest).next());
+            after.for_each(|word| self.words.add(hash(&format!("#{word}")), number));
+        }
         self.files.insert(path, number);
         length
     }
