@@ -88,7 +88,9 @@ pub(super) fn keep_certain(
             is_displaced |= d.subject.is_brace() || d.has(Facet::Moves);
             unclear.push(d.span);
         }
-        if is_certain && d.severity == Severity::Error && part.is_undecided(d.span) {
+        // The groups themselves are read in any case.
+        let is_chosen = part.is_undecided(d.span) && !d.is(error::UNBALANCED_CONDITIONAL);
+        if is_certain && d.severity == Severity::Error && is_chosen {
             d.severity = Severity::Warning;
             d.notes
                 .push("no error if the host defines macros that exclude it".to_string());

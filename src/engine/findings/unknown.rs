@@ -108,8 +108,10 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
 fn leave_overloads(checked: &mut Checked, hosts: &Hosts) {
     let sources = &checked.program.sources;
     let is_elsewhere = |d: &Diagnostic| {
-        let mut names = d.labels.iter().map(|l| sources.text(l.span));
-        names.any(|name| hosts.may_be_overloaded(name))
+        let file = sources.file_id_at(d.span.start);
+        let own = |span: Span| sources.file_id_at(span.start) == file;
+        let mut labels = d.labels.iter();
+        labels.any(|l| own(l.span) && hosts.may_be_overloaded(sources.text(l.span)))
     };
     let is_open = |d: &Diagnostic| {
         d.is(error::ARGUMENT_MISMATCH) && d.severity == Severity::Warning && is_elsewhere(d)
@@ -127,7 +129,7 @@ fn leave_directives(checked: &mut Checked, hosts: &Hosts) {
         let word = line.map_or("", str::trim_start);
         let end = word.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let word = word.get(..end.unwrap_or(word.len())).unwrap_or("");
-        !DIRECTIVES.contains(&word) && hosts.is_used_outside(&format!("#{word}"), 0)
+        !DIRECTIVES.contains(&word) && hosts.is_directive_of_program(word)
     };
     checked
         .diagnostics

@@ -384,6 +384,13 @@ impl<'a> Hosts<'a> {
         (is_set || cache.is_owned(name, &file, files)) && !cache.is_declared(name, &file, files)
     }
 
+    /// Whether a program of the repository contains a directive with this name.
+    pub fn is_directive_of_program(&self, name: &str) -> bool {
+        let (files, file) = (self.context.files, self.file());
+        let cache = &self.context.options.file_cache;
+        !name.is_empty() && cache.is_elsewhere(&format!("#{name}"), &file, files).0
+    }
+
     /// Whether another file of the repository has a function or macro of this name.
     pub fn may_be_overloaded(&self, name: &str) -> bool {
         let cache = &self.context.options.file_cache;
