@@ -35,7 +35,7 @@ pub use files::family::{Family, common_of, family, is_common};
 pub use files::file_cache::FileCache;
 pub use files::for_others::{NamesForOthers, macros};
 pub use files::imports::{imports, meant};
-pub use files::scan::{IncludedChunk, chunks_in};
+pub use files::scan::{IncludedChunk, chunks_in, required_names};
 pub use files::words::{counts, hash};
 pub use files::{Dependency, FileType, Files, LoadError, MAX_LOADED, NoFiles};
 pub use include::gathered::{GatheredText, gather};

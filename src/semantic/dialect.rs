@@ -217,7 +217,13 @@ fn is_completed(text: &str) -> bool {
         let is_own = || {
             let rest = rest.trim_start();
             let (name, after) = rest.split_at(word_of(rest));
-            !matches!(name, "STDGL" | "optimize" | "debug")
+            // A module of glslify adds nothing but the name that it is given.
+            let is_module = name == "glslify"
+                && after
+                    .split_once("require")
+                    .is_some_and(|(before, _)| before.contains('='));
+            !is_module
+                && !matches!(name, "STDGL" | "optimize" | "debug")
                 && after.trim_start().starts_with([':', '(', '<', '"'])
         };
         match word {

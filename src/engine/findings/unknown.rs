@@ -13,9 +13,10 @@ use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Lack, Severity, error};
 use shaderlint_explain::Checked;
 use shaderlint_host::{matches_any, was_in_chunk};
+use shaderlint_project::required_names;
 use shaderlint_semantic::{BuiltinId, Completeness};
 use shaderlint_syntax::DIRECTIVES;
-use shaderlint_text::{Edit, Role, Span};
+use shaderlint_text::{Edit, Role, Sources, Span};
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
@@ -35,12 +36,13 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     if !checked.program.tokens.undecided.is_empty() {
         report_inactive(checked, &vocabulary, hosts);
     }
+    let required = required(sources, part, &code);
     if checked.completeness == Completeness::Complete {
         leave_directives(checked, hosts);
         if part.readings.is_shadertoy() && code.contains("uniform ") {
             lower_shared(checked, hosts, &vocabulary);
         }
-        return leave_macros(checked, hosts, part.is_joined);
+        return leave_macros(checked, hosts, (part.is_joined, &required));
     }
     leave_overloads(checked, hosts);
     let mut unknown = checked.open.unknown.clone();
@@ -60,6 +62,8 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
             is_word(word) && !is_given && !optional.declares(word)
         });
     }
+    let is_required = |d: &Diagnostic| required.iter().any(|name| name == sources.text(d.span));
+    let (modules, mut unknown): (Vec<_>, Vec<_>) = unknown.into_iter().partition(is_required);
     for d in &mut unknown {
         suggest(d, sources.text(d.span), &vocabulary);
     }
@@ -72,7 +76,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     };
     let is_forgotten = |d: &Diagnostic| is_forgotten(sources.text(d.span), hosts);
     let openness = Openness::of(part, &unknown, names, is_typo, is_forgotten);
-    let (mut mistakes, others): (Vec<Diagnostic>, Vec<Diagnostic>) =
+    let (mut mistakes, mut others): (Vec<Diagnostic>, Vec<Diagnostic>) =
         unknown.into_iter().partition(|d| {
             let word = sources.text(d.span);
             let count = vocabulary.count(word);
@@ -86,6 +90,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
                 }
             }
         });
+    others.extend(modules);
     unresolved.first = unresolved.first.or(others.first().map(|d| d.span));
     unresolved.names.extend(others.iter().map(named));
     part.readings
@@ -151,10 +156,13 @@ fn lower_shared(checked: &mut Checked, hosts: &Hosts, vocabulary: &Vocabulary) {
 
 /// Leaves open what a script defines as a macro of a complete shader, which its host inserts after
 /// `#version`, and lowers errors about functions of files that a script may put before it.
-fn leave_macros(checked: &mut Checked, hosts: &Hosts, is_joined: bool) {
+fn leave_macros(checked: &mut Checked, hosts: &Hosts, (is_joined, required): (bool, &[String])) {
     let sources = &checked.program.sources;
-    let is_macro =
-        |d: &Diagnostic| d.lacks() == Some(Lack::Name) && hosts.is_given(sources.text(d.span));
+    let is_macro = |d: &Diagnostic| {
+        let name = sources.text(d.span);
+        let is_given = || hosts.is_given(name) || required.iter().any(|own| own == name);
+        d.lacks() == Some(Lack::Name) && is_given()
+    };
     let all = std::mem::take(&mut checked.diagnostics);
     let (macros, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_macro);
     checked.diagnostics = others;
@@ -237,10 +245,7 @@ impl Openness {
         is_forgotten: impl Fn(&Diagnostic) -> bool,
     ) -> Openness {
         let readings = &part.readings;
-        if !readings.holds_entry() && !readings.is_called
-            || readings.has_gaps()
-            || !part.missing.is_empty()
-        {
+        if !readings.holds_entry() && !readings.is_called || readings.has_gaps() {
             return Openness::Open;
         }
         // A text in which all undeclared names are typos needs no host.
@@ -254,6 +259,15 @@ impl Openness {
             Openness::Open
         }
     }
+}
+
+/// The names of modules of glslify that are not found.
+fn required(sources: &Sources, part: &ShaderInput, code: &str) -> Vec<String> {
+    let directives = part
+        .missing
+        .iter()
+        .map(|missing| sources.text(missing.span));
+    directives.chain([code]).flat_map(required_names).collect()
 }
 
 /// Whether a name is a macro of scripts, or one that no host declares.

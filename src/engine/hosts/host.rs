@@ -124,7 +124,16 @@ impl<'a> Hosts<'a> {
         // A program of its own does not run in a site or a tool.
         let is_program = LazyCell::new(|| self.is_in_program());
         let may_run = |p: &Preset| !p.packages.is_empty() || !p.globals.is_empty() || !*is_program;
-        let named = |p: &&Preset| lacking.iter().any(|name| p.has_word(name)) && may_run(p);
+        // Names alone do not show another library than those that the program uses.
+        let has_library = around().any(|p| !p.packages.is_empty());
+        let is_around = |p: &Preset| {
+            let is_base = |of: &Preset| of.base.as_ref() == Some(&p.name);
+            around().any(|of| of.name == p.name || is_base(of))
+        };
+        let may_be_used = |p: &Preset| !has_library || p.packages.is_empty() || is_around(p);
+        let named = |p: &&Preset| {
+            lacking.iter().any(|name| p.has_word(name)) && may_run(p) && may_be_used(p)
+        };
         let by_word = some(&mut presets().filter(named));
         if !by_word.is_empty() {
             return (by_word, true);

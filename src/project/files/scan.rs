@@ -127,6 +127,19 @@ pub fn chunks_in(text: &str) -> Vec<IncludedChunk> {
     .collect()
 }
 
+/// The names that a text gives to modules of glslify.
+pub fn required_names(text: &str) -> Vec<String> {
+    if !text.contains("glslify") {
+        return Vec::new();
+    }
+    let all = scan(text).directives.into_iter();
+    let names = all.filter_map(|d| match d.form {
+        Form::Require(name, _) => Some(name),
+        Form::Put => None,
+    });
+    names.collect()
+}
+
 /// A branch of an `#if` group.
 struct ScannedBranch<'a> {
     /// The macro that must not be defined.

@@ -356,6 +356,8 @@ impl<'r, 'w> Spreader<'r, 'w> {
             Err(absent) => {
                 // The host may have no chunk with that name.
                 self.is_left = requested.manner == Manner::Chunk;
+                // A module adds nothing but the name that it is given.
+                self.found.is_open |= directive.form == Form::Put;
                 self.miss(span, &requested.path, absent);
                 return Some(());
             }
@@ -381,7 +383,6 @@ impl<'r, 'w> Spreader<'r, 'w> {
     }
 
     fn miss(&mut self, span: Span, path: &str, absent: Absent) {
-        self.found.is_open = true;
         // A path may also belong to the host or to a bundler.
         if let Some(similar) = &absent.similar {
             let message = format!("`{path}` is not found");
@@ -415,6 +416,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
         match way {
             IncludeMode::Leave => return Some(()),
             IncludeMode::Put | IncludeMode::Guard(_) if self.budget == 0 => {
+                self.found.is_open = true;
                 self.miss(span, &directive.requested.path, Absent::too_many());
                 return Some(());
             }
@@ -508,6 +510,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
             .put(&found, arguments, Some(name), self.context);
         self.found.is_open |= self.modules.is_open || made.is_none();
         for (path, absent) in std::mem::take(&mut self.modules.missing) {
+            self.found.is_open = true;
             self.miss(span, &path, absent);
         }
         match made {
