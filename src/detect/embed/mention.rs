@@ -3,6 +3,7 @@
 
 use super::DocumentLanguage;
 use super::together::scripts;
+use crate::kind::has_main;
 use crate::script::parse;
 use crate::script::tree::{NodeKind, ScriptNodeId, ScriptTree};
 use std::ops::Range;
@@ -134,6 +135,15 @@ impl<'t> MentionReader<'t, '_> {
                 NodeKind::Property(name) | NodeKind::Variable(name) | NodeKind::Attribute(name),
             )) => is_about_inputs(self.word(name)),
             Some((id, NodeKind::Assignment(_))) => self.is_about_inputs(self.tree.child(id, 0)),
+            // `shaderMaterial({ name: 1 }, vertexShader, fragmentShader)`
+            Some((id, NodeKind::Call | NodeKind::New)) => {
+                let all = self.tree.node(id).map_or(&[][..], |node| &node.children);
+                let mut all = all.iter().filter_map(|id| self.tree.node(*id));
+                all.any(|node| {
+                    let is_text = matches!(node.kind, NodeKind::Text | NodeKind::Template(_));
+                    is_text && has_main(self.word(&node.span))
+                })
+            }
             _ => false,
         }
     }

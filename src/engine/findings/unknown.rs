@@ -58,7 +58,8 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
             let is_call = sources.text(Span::new(d.span.end, d.span.end + 1)) == "(";
             let has_host = !part.readings.hosts.is_empty();
             let was_given = is_call && has_host && was_in_chunk(word);
-            let is_given = was_given || matches_any(&part.readings.declared_at_times, word);
+            let is_given = was_given
+                || matches_any(&part.readings.declared_at_times, word) && !hosts.is_set(word);
             is_word(word) && !is_given && !optional.declares(word)
         });
     }
