@@ -42,6 +42,7 @@ pub use include::gathered::{GatheredText, gather};
 pub use include::script::{ModuleCache, ScriptModules, module_files};
 pub use include::{
     Absence, FileMoves, Hushed, JoinedFiles, MissingInclude, Spread, moved_includes, spread,
+    spread_chunks,
 };
 pub use input::assumed::AssumedInput;
 pub use input::channel::{ChannelName, ChannelOrder, ChannelSource, Media, unknown_source};

@@ -36,6 +36,8 @@ pub struct Embedded {
     pub receivers: Vec<ShaderReceiver>,
     /// Number of its chapter; excerpts of a chapter continue each other.
     pub chapter: u32,
+    /// The name of a chunk of a library; empty for a text that only imports some.
+    pub chunk: Option<String>,
 }
 
 impl From<Section> for Embedded {
@@ -43,6 +45,7 @@ impl From<Section> for Embedded {
         Embedded {
             has_holes: section.is_open,
             stage: section.is_vertex.then_some(NamedStage::Vertex),
+            chunk: section.chunk,
             ..Embedded::new(section.start, section.code, Wrapping::Element)
         }
     }
@@ -61,6 +64,7 @@ impl Embedded {
             stage: None,
             receivers: Vec::new(),
             chapter: 0,
+            chunk: None,
         }
     }
 

@@ -5,7 +5,7 @@ use super::embedded::{Embedded, ImportedTexts, InsertedPart, Wrapping, joined};
 use super::holes::mask;
 use super::receiver::{ReceiverReader, ShaderReceiver};
 use super::text::{ScriptText, Texts};
-use crate::kind::{Chunk, Scanned, has_main, may_be_shader};
+use crate::kind::{Chunk, Scanned, chunks, has_main, may_be_shader};
 use crate::script::parse;
 use crate::script::tree::{BindingValue, NodeKind, ScriptNodeId, ScriptTree};
 use std::collections::HashSet;
@@ -57,7 +57,18 @@ pub fn extract(
         };
         // Strings in the code that is inserted belong to the text around them.
         done = end.max(done);
-        found.extend(script.shader(root, code, &context, wrapping));
+        let chunks = match code.has_holes || !code.inserted.is_empty() {
+            true => Vec::new(),
+            false => chunks(&code.code),
+        };
+        match chunks.is_empty() {
+            true => found.extend(script.shader(root, code, &context, wrapping)),
+            false => found.extend(chunks.into_iter().map(|chunk| Embedded {
+                start: code.start + chunk.start,
+                wrapping,
+                ..Embedded::from(chunk)
+            })),
+        }
     }
     // Parts are checked in the shaders that insert them.
     let all = found.get_mut(from..).unwrap_or(&mut []);

@@ -15,6 +15,8 @@ pub struct Section {
     pub is_vertex: bool,
     /// Whether code before the first shader may belong to it.
     pub is_open: bool,
+    /// The name of a chunk of a library; empty for a text that only imports some.
+    pub chunk: Option<String>,
 }
 
 impl Section {
@@ -24,6 +26,15 @@ impl Section {
             code,
             is_vertex,
             is_open,
+            chunk: None,
+        }
+    }
+
+    /// A chunk of a library, without its code.
+    fn of_chunk(start: usize, name: &str) -> Section {
+        Section {
+            chunk: Some(name.to_string()),
+            ..Section::new(start, String::new(), name.ends_with(".vertex"), false)
         }
     }
 }
@@ -41,14 +52,9 @@ struct Marker {
 /// The shaders of a text: chunks between `@export` and `@end`, or at least two shaders with a `main` each;
 /// otherwise none.
 pub fn sections(text: &str) -> Vec<Section> {
-    let is_import = |line: &str| {
-        let name = line.trim().strip_prefix("@import ");
-        name.is_some_and(|name| name.matches('.').count() > 1 && !name.contains(['/', '"', '\'']))
-    };
-    if text.contains("@export ") && text.contains("@end")
-        || text.contains("@import ") && text.lines().any(is_import)
-    {
-        return chunks(text);
+    let chunks = chunks(text);
+    if !chunks.is_empty() {
+        return chunks;
     }
     if text.matches("main").count() < 2 {
         return Vec::new();
@@ -106,22 +112,26 @@ fn split(text: &str, of: fn(&str) -> Option<Marker>) -> Option<Vec<Section>> {
 }
 
 /// The chunks of a library, as ClayGL has them: `@export name.vertex` and `@end` on lines of their own; without
-/// them the text is one. What their program reads and removes is blank: `uniform float size : 1.0;`.
-fn chunks(text: &str) -> Vec<Section> {
+/// them a text that imports chunks is one. What their program reads and removes is blank: `uniform float size : 1.0;`.
+pub fn chunks(text: &str) -> Vec<Section> {
+    let is_import = |line: &str| {
+        let name = line.trim().strip_prefix("@import ");
+        name.is_some_and(is_chunk_of_library)
+    };
     let is_one = !text.contains("@export ");
-    let mut open = is_one.then(|| Section::new(0, String::new(), false, false));
+    match is_one {
+        true if text.contains("@import ") && text.lines().any(is_import) => {}
+        false if text.contains("@end") => {}
+        _ => return Vec::new(),
+    }
+    let mut open = is_one.then(|| Section::of_chunk(0, ""));
     let mut found: Vec<Section> = Vec::new();
     let mut at = 0;
     for line in text.split_inclusive('\n') {
         let own = line.trim();
         at += line.len();
         if let Some(name) = own.strip_prefix("@export ") {
-            open = Some(Section::new(
-                at,
-                String::new(),
-                name.ends_with(".vertex"),
-                false,
-            ));
+            open = Some(Section::of_chunk(at, name));
         } else if own == "@end" {
             found.extend(open.take());
         } else if let Some(chunk) = &mut open {
@@ -132,25 +142,36 @@ fn chunks(text: &str) -> Vec<Section> {
     found
 }
 
-/// A line of a chunk as GLSL of the same length: with `#import` for `@import`, without the annotation of a
-/// declaration, and without a `;` after the number of a macro.
+/// Whether a name in an import is that of a chunk of a library: `clay.util.rgbm`.
+pub fn is_chunk_of_library(name: &str) -> bool {
+    name.matches('.').count() > 1 && !name.contains(['/', '"', '\''])
+}
+
+/// A line of a chunk as GLSL of the same length: with `#import` for `@import`, without the annotations and values
+/// of a declaration, and without a `;` after the number of a macro.
 fn plain(line: &str) -> String {
     let own = line.trim_start();
     if own.starts_with("@import ") {
         return line.replacen('@', "#", 1);
     }
     let is_macro = own.starts_with("#define ") && own.trim_end().ends_with(';');
-    let is_declaration = own.starts_with("uniform ") || own.starts_with("attribute ");
-    let blank = match (line.find(':'), line.find(';')) {
-        (_, Some(end)) if is_macro => end..end + 1,
-        (Some(colon), Some(end)) if is_declaration && colon < end => colon..end,
-        _ => return line.to_string(),
+    let mut is_declaration = own.starts_with("uniform ") || own.starts_with("attribute ");
+    let (mut depth, mut is_left_out) = (0, false);
+    let mut plain = |c: char| {
+        match c {
+            ';' => is_left_out = is_macro,
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ',' if depth == 0 => is_left_out = false,
+            // A comment follows.
+            '/' if depth == 0 => is_declaration = false,
+            ':' | '=' if is_declaration && depth == 0 => is_left_out = true,
+            _ => {}
+        }
+        let is_blank = is_left_out && c != '\n';
+        if is_blank { " ".repeat(c.len_utf8()) } else { c.to_string() }
     };
-    let plain = |(at, c): (usize, char)| if blank.contains(&at) { ' ' } else { c };
-    match line.is_ascii() {
-        true => line.char_indices().map(plain).collect(),
-        false => line.to_string(),
-    }
+    line.chars().map(&mut plain).collect()
 }
 
 /// The number of definitions of `main`.

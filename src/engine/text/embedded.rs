@@ -16,6 +16,7 @@ use shaderlint_detect::embed::{
 use shaderlint_detect::kind::{Evidence, ShaderLanguage, has_main, own_directive};
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
 use shaderlint_host::shadertoy;
+use shaderlint_project::{MissingInclude, spread_chunks};
 use shaderlint_semantic::snippet::{SnippetItem, items};
 use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
 use shaderlint_syntax::{Version, WordClass, classify};
@@ -85,15 +86,38 @@ pub fn parts(
                 pieces(sources, file, embedded, &mut modules)?
             }
         };
+        let imports = chunk_imports(input, (name, file), embedded, context)?;
+        let (read, missing) = imports.unwrap_or((read, Vec::new()));
+        let read = (read, !missing.is_empty());
         let shaders = shaders_of(input, embedded, read, around, options)?.into_iter();
         input.parts.extend(shaders.map(|shader| ShaderInput {
             embedded: Some(index),
             embedder,
+            missing: missing.clone(),
             ..shader
         }));
     }
     input.embedded = all;
     Some(())
+}
+
+/// A chunk of a library with those that it imports, and those that are missing; `None` inside for other texts.
+fn chunk_imports(
+    input: &mut SplitInput,
+    (name, file): (&str, FileId),
+    embedded: &Embedded,
+    context: CheckContext,
+) -> Option<Option<(Vec<FileId>, Vec<MissingInclude>)>> {
+    let imports = |_: &&String| embedded.code.contains("#import ");
+    let Some(chunk) = embedded.chunk.as_ref().filter(imports) else {
+        return Some(None);
+    };
+    let text = (chunk.as_str(), embedded.start, embedded.code.as_str());
+    let access = context.file_access();
+    let found = spread_chunks(&mut input.sources, (name, file), text, access)?;
+    input.problems.extend(found.problems);
+    input.hushed.extend(found.hushed);
+    Some(Some((found.files, found.missing)))
 }
 
 /// What the program around the shaders does. A document shows code of several programs.
@@ -166,7 +190,7 @@ fn is_excerpt(embedded: &Embedded) -> bool {
 fn shaders_of(
     input: &mut SplitInput,
     embedded: &Embedded,
-    files: Vec<FileId>,
+    (files, is_open): (Vec<FileId>, bool),
     around: FileContext,
     options: &Options,
 ) -> Option<Vec<ShaderInput>> {
@@ -187,7 +211,7 @@ fn shaders_of(
             Wrapping::Template | Wrapping::Quotes | Wrapping::Raw => Surroundings::Literal,
             Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
-        is_open: false,
+        is_open,
         is_compiled: around.is_compiled && !is_shown(embedded),
         is_300: around.is_300,
         has_holes: is_excerpt(embedded) || embedded.has_holes,

@@ -4,6 +4,7 @@ use super::imports::ShaderImports;
 use super::passes::Passes;
 use super::repository::{RepositoryWords, top};
 use super::scan::IncludedFile;
+use super::shaders::RepositoryShaders;
 use crate::files::{Dependency, Files};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
@@ -26,6 +27,8 @@ pub struct FileCache {
     words: Mutex<HashMap<PathBuf, Arc<OnceLock<RepositoryWords>>>>,
     /// By root of a repository: the shaders that its scripts import.
     imports: Mutex<HashMap<PathBuf, Arc<OnceLock<ShaderImports>>>>,
+    /// By root of a repository: its GLSL files and chunks.
+    shaders: Mutex<HashMap<PathBuf, Arc<OnceLock<RepositoryShaders>>>>,
 }
 
 impl FileCache {
@@ -116,6 +119,19 @@ impl FileCache {
             .get_or_init(|| ShaderImports::under(&top, files))
             .of(file)
             .to_vec()
+    }
+
+    /// Asks for GLSL files and chunks of the repository that contains a file.
+    pub fn shaders<T>(
+        &self,
+        file: &Path,
+        files: &dyn Files,
+        ask: impl FnOnce(&RepositoryShaders) -> T,
+    ) -> T {
+        files.depends_on(Dependency::Repository);
+        let top = self.top(file, files);
+        let shaders = kept(&self.shaders, &top, OnceLock::new);
+        ask(shaders.get_or_init(|| RepositoryShaders::under(&top, files)))
     }
 
     /// Whether a program in the repository may write `#version` before shaders.

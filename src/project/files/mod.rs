@@ -9,6 +9,7 @@ pub mod pass_name;
 pub mod passes;
 pub mod repository;
 pub mod scan;
+pub mod shaders;
 pub mod words;
 
 use shaderlint_text::path::plain;

@@ -25,8 +25,10 @@ pub struct FoundFile {
     pub folder: PathBuf,
     /// Path without symbolic links.
     pub real: PathBuf,
-    /// Contents of the file.
+    /// Contents of the file, or of the chunk in it.
     pub file: Arc<IncludedFile>,
+    /// For a chunk of a library: where it starts in the text of the file, and that text.
+    pub outer: Option<(usize, Arc<str>)>,
 }
 
 /// Why a file was not included.
@@ -162,8 +164,51 @@ impl FileAccess<'_> {
             folder: PathBuf::new(),
             file: file.ok_or(Absence::NotFound)?,
             real,
+            outer: None,
         })
     }
+
+    /// The file of the repository whose path has the parts of this one at its end, in order, as engines that
+    /// have a table of names resolve it; `None` if several files with different texts fit.
+    pub fn elsewhere(&self, from: &str, requested: &RequestedFile) -> Option<FoundFile> {
+        let named = slashed(&requested.path);
+        let from = plain(&self.files.here().join(from));
+        let is_chunk = requested.manner == Manner::Chunk;
+        let mut all = self.cache.shaders(&from, self.files, |shaders| {
+            shaders.ending_in(named.split('?').next()?, |path, rest| {
+                // A chunk is code for any stage, as beside the file.
+                let is_for_any = rest.is_empty() || rest.ends_with(".glsl");
+                path != from && (is_for_any || !is_chunk)
+            })
+        })?;
+        let load = |path: PathBuf| self.load(&self.relative(&path)).ok();
+        let found = load(all.pop()?)?;
+        let is_same = |path| load(path).is_some_and(|f| f.file.text == found.file.text);
+        all.into_iter().all(is_same).then_some(found)
+    }
+
+    /// The chunk of a library with this name, wherever the repository has it.
+    pub fn chunk(&self, from: &str, name: &str) -> Option<FoundFile> {
+        let from = plain(&self.files.here().join(from));
+        let chunk = self.cache.shaders(&from, self.files, |shaders| {
+            shaders.chunk(name, self.files).cloned()
+        })?;
+        let outer = self.load(&self.relative(&chunk.path)).ok()?;
+        let text = outer.file.text.clone();
+        // It may have changed since.
+        text.get(chunk.start..chunk.start + chunk.file.text.len())?;
+        Some(FoundFile {
+            real: chunk_path(&chunk.path, name),
+            file: chunk.file,
+            outer: Some((chunk.start, text)),
+            ..outer
+        })
+    }
+}
+
+/// What tells a chunk of a library from others in its file, in place of the path.
+pub fn chunk_path(file: &Path, name: &str) -> PathBuf {
+    file.join(name)
 }
 
 /// Whether a file belongs to a package.

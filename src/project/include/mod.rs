@@ -8,17 +8,18 @@ mod moved;
 pub mod script;
 mod subject;
 
-pub use find::Absence;
+pub use find::{Absence, EXTENSIONS};
 pub use moved::{FileMoves, moved_includes};
 
 use crate::access::FileAccess;
 use crate::files::family::common_of;
 use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
-use find::{Absent, FoundFile, is_of_package};
+use find::{Absent, FoundFile, chunk_path, is_of_package};
 use module::Modules;
+use shaderlint_detect::kind::is_chunk_of_library;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
 use shaderlint_host::{is_chunk as is_chunk_of_host, is_provided};
-use shaderlint_text::path::{slashed, tidy};
+use shaderlint_text::path::{plain, slashed, tidy};
 use shaderlint_text::{Edit, FileId, Role, Sources, Span};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
@@ -156,6 +157,22 @@ pub fn spread(
     Some(spreader.found)
 }
 
+/// Includes the chunks of a library that one of its chunks imports, which starts at an offset in a file.
+pub fn spread_chunks(
+    sources: &mut Arc<Sources>,
+    (name, file): (&str, FileId),
+    (chunk, start, code): (&str, usize, &str),
+    context: FileAccess,
+) -> Option<Spread> {
+    let mut spreader = Spreader::new(sources, name, context);
+    let own = Arc::new(IncludedFile::new(code.into()));
+    let real = chunk_path(&plain(&context.files.here().join(name)), chunk);
+    spreader.open(name.to_string(), real, file, own);
+    spreader.open.last_mut()?.start = start;
+    spreader.run()?;
+    Some(spreader.found)
+}
+
 /// Expands the includes of a shader.
 struct Spreader<'r, 'w> {
     sources: &'r mut Arc<Sources>,
@@ -169,6 +186,8 @@ struct Spreader<'r, 'w> {
     undefined: BTreeSet<String>,
     /// Resolved files, by including file and path.
     known: HashMap<(String, String), FoundFile>,
+    /// By path: the files of chunks that were added.
+    outer: HashMap<String, FileId>,
     lookups: usize,
     modules: Modules,
     /// Whether the shader itself belongs to a package.
@@ -185,6 +204,8 @@ struct OpenFile {
     name: String,
     real: PathBuf,
     file: FileId,
+    /// Where the text starts in the file.
+    start: usize,
     text: Arc<IncludedFile>,
     /// Length of the text that was added already.
     done: usize,
@@ -232,6 +253,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
             seen: HashMap::new(),
             undefined: BTreeSet::new(),
             known: HashMap::new(),
+            outer: HashMap::new(),
             lookups: MAX_LOOKUPS,
             modules: Modules::default(),
             is_in_package: is_of_package(Path::new(name)),
@@ -288,6 +310,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
             name,
             real,
             file,
+            start: 0,
             text,
             done: 0,
             next: 0,
@@ -304,19 +327,21 @@ impl<'r, 'w> Spreader<'r, 'w> {
             last.next += 1;
             let Some(directive) = directive else {
                 let rest = last.text.text.get(last.done..)?;
-                let piece = Arc::make_mut(self.sources).embed(last.file, last.done, rest)?;
+                let at = last.start + last.done;
+                let piece = Arc::make_mut(self.sources).embed(last.file, at, rest)?;
                 self.found.files.push(piece);
                 self.found.files.extend(last.close);
                 self.open.pop();
                 continue;
             };
             let before = last.text.text.get(last.done..directive.start)?;
-            let piece = Arc::make_mut(self.sources).embed(last.file, last.done, before)?;
+            let at = last.start + last.done;
+            let piece = Arc::make_mut(self.sources).embed(last.file, at, before)?;
             self.found.files.push(piece);
             // The host inserts its chunks, which show who it is.
             let stays = self.keeps_chunks && directive.requested.manner == Manner::Chunk;
             last.done = directive.end;
-            let base = self.sources.file(last.file)?.base;
+            let base = self.sources.file(last.file)?.base + last.start as u32;
             let span = Span::new(base + directive.start as u32, base + directive.end as u32);
             let from = last.name.clone();
             let missing = self.found.is_open;
@@ -377,9 +402,26 @@ impl<'r, 'w> Spreader<'r, 'w> {
             return Err(Absent::too_many());
         }
         self.lookups -= 1;
-        let found = self.context.find(from, requested)?;
+        let found = self.context.find(from, requested);
+        let found = found.or_else(|absent| self.elsewhere(from, requested).ok_or(absent))?;
         self.known.insert(key, found.clone());
         Ok(found)
+    }
+
+    /// Searches the repository for a file that is not where its path says, unless the host may insert it. A file
+    /// does not include itself.
+    fn elsewhere(&self, from: &str, requested: &RequestedFile) -> Option<FoundFile> {
+        let is_chunk = requested.manner == Manner::Chunk;
+        let may_be_of_host = self.context.host.is_some() || is_chunk_of_host(&requested.path);
+        if is_chunk && may_be_of_host {
+            return None;
+        }
+        let found = match is_chunk_of_library(&requested.path) {
+            true => self.context.chunk(from, &requested.path)?,
+            false => self.context.elsewhere(from, requested)?,
+        };
+        let is_open = self.open.iter().any(|open| open.real == found.real);
+        (!is_open).then_some(found)
     }
 
     fn miss(&mut self, span: Span, path: &str, absent: Absent) {
@@ -420,6 +462,8 @@ impl<'r, 'w> Spreader<'r, 'w> {
                 self.miss(span, &directive.requested.path, Absent::too_many());
                 return Some(());
             }
+            // A library that imports itself in a circle leaves the second copy out.
+            IncludeMode::Circle if found.outer.is_some() => return Some(()),
             IncludeMode::Circle => {
                 let message = format!("`{}` includes itself", directive.requested.path);
                 let problem = Diagnostic::error(error::BAD_DIRECTIVE, span, message);
@@ -436,14 +480,29 @@ impl<'r, 'w> Spreader<'r, 'w> {
             }
         }
         self.budget -= 1;
-        let id = self.add(&found.name, found.file.text.clone())?;
+        let (start, id) = match found.outer {
+            Some((start, text)) => (start, self.add_outer(&found.name, text)?),
+            None => (0, self.add(&found.name, found.file.text.clone())?),
+        };
         if is_of_package(Path::new(&found.name)) && !self.is_in_package {
-            self.found.hushed.0.insert(id, Hush::Rules);
+            self.found.hushed.0.entry(id).or_insert(Hush::Rules);
         }
         self.open(found.name, found.real, id, found.file);
         let last = self.open.last_mut()?;
         (last.is_conditional, last.depth, last.close) = (is_conditional, depth, close);
+        last.start = start;
         Some(())
+    }
+
+    /// Adds a file that has an included chunk, whose findings are reported where the file is checked.
+    fn add_outer(&mut self, path: &str, text: Arc<str>) -> Option<FileId> {
+        if let Some(known) = self.outer.get(path) {
+            return Some(*known);
+        }
+        let id = self.add(path, text)?;
+        self.found.hushed.0.insert(id, Hush::All);
+        self.outer.insert(path.to_string(), id);
+        Some(id)
     }
 
     fn prelude(&mut self, text: &str) -> Option<FileId> {
