@@ -215,7 +215,11 @@ impl Preset {
                 "version" => self.takes_version = true,
                 "desktop" => self.takes_desktop = true,
                 "late-version" => self.takes_late_version = true,
-                _ => return Err(none_of(value, &["version", "desktop", "late-version"])),
+                "annotations" => self.takes_annotations = true,
+                _ => {
+                    let all = ["version", "desktop", "late-version", "annotations"];
+                    return Err(none_of(value, &all));
+                }
             },
             "complete" => self.complete.extend(words()),
             "patched" => self.patched.extend(words()),

@@ -8,6 +8,7 @@ pub(super) const FILES: &[(&str, &str)] = &[
     ("book-of-shaders", include_str!("presets/sites/book-of-shaders.glsl")),
     ("butterchurn", include_str!("presets/libraries/butterchurn.glsl")),
     ("cesium", include_str!("presets/maps/cesium.glsl")),
+    ("claygl", include_str!("presets/libraries/claygl.glsl")),
     ("flutter", include_str!("presets/frameworks/flutter.glsl")),
     ("ghostty", include_str!("presets/desktop/ghostty.glsl")),
     ("gl-react", include_str!("presets/libraries/gl-react.glsl")),

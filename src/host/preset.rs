@@ -108,6 +108,8 @@ pub struct Preset {
     /// Whether comments and lines may come before the `#version` of its shaders, as in drivers other
     /// than those of browsers.
     pub takes_late_version: bool,
+    /// Whether it removes annotations of declarations: `attribute vec3 position : POSITION;`.
+    pub takes_annotations: bool,
     /// Whether it renames the declarations of a shader.
     pub renames: bool,
     /// Whether its declarations depend on the shader, so that a shader is checked in its completed

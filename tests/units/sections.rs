@@ -94,3 +94,58 @@ fn chunks_of_a_library_are_checked() {
     let found = folder.places(&["a.glsl"]);
     assert_eq!(found, ["6:15 int-float-mix", "12:37 int-float-mix"]);
 }
+
+#[test]
+fn imported_chunks_are_those_of_the_whole_repository() {
+    let text = "@export a.b.fragment\nuniform vec3 color = vec3(1.0), other : [1, 2, 3]; // x: y\n@import a.c.d\nvoid main() {\n    gl_FragColor = twice(color);\n    other = missing;\n}\n@end\n\n@export a.c.e\nfloat part(float x) { return x / 2; }\n@import a.c.d\n@end\n";
+    let script = "export default \"\\n@export a.c.d\\n@import a.c.e\\nvec3 twice(vec3 x) { return x * 2; }\\n@end\\n@export a.c.f\\nuniform mat4 m : WORLD;\\nvoid main() {\\n gl_FragColor = vec3(m[0]);\\n}\\n@end\";\n";
+    let folder = Scratch::new(&[("x/a.glsl", text), ("y/chunks.glsl.js", script)]);
+    // Each is reported once, although the chunks import each other.
+    let found = folder.places(&["x/a.glsl"]);
+    let expected = [
+        "5:5 vector-size",
+        "6:5 not-assignable",
+        "11:34 int-float-mix",
+        "6:13 undeclared-name",
+    ];
+    assert_eq!(found, expected);
+    let found = folder.places(&["y/chunks.glsl.js"]);
+    assert_eq!(found, ["1:81 int-float-mix", "1:149 vector-size"]);
+    // The cache notices other files.
+    folder.write(
+        "y/chunks.glsl.js",
+        script.replace("vec3 twice", "vec4 twice"),
+    );
+    assert_eq!(folder.places(&["x/a.glsl"])[0], "6:5 not-assignable");
+    // A package has the chunks that the repository does not have.
+    let import =
+        "uniform float a : 0.5;\n@import clay.util.f\nvoid main() { gl_FragColor = f(a); }\n";
+    let package = "@export clay.util.f\nfloat f(float x) { return x; }\n@end\n";
+    let files = [
+        ("a.glsl", import),
+        ("node_modules/claygl/src/f.glsl", package),
+    ];
+    assert_eq!(
+        Scratch::new(&files).places(&["a.glsl"]),
+        ["3:15 vector-size"]
+    );
+    let script = format!("const text = `{import}`;");
+    let files = [
+        ("a.js", &*script),
+        ("node_modules/claygl/src/f.glsl", package),
+    ];
+    assert_eq!(Scratch::new(&files).places(&["a.js"]), ["3:15 vector-size"]);
+}
+
+#[test]
+fn annotations_are_removed_where_a_library_does_so() {
+    let page = |uses: &str| {
+        format!(
+            "<script type=\"x-shader/x-vertex\">\nattribute vec3 at: POSITION;\nvoid main() {{ gl_Position = vec4(at, 1.0); }}\n</script>\n<script>{uses}</script>\n"
+        )
+    };
+    let folder = Scratch::new(&[("a.html", &page("new clay.Shader(a)"))]);
+    assert_eq!(folder.places(&["a.html"]), [""; 0]);
+    folder.write("a.html", page("f(a)"));
+    assert_eq!(folder.places(&["a.html"]), ["2:18 foreign-syntax"]);
+}

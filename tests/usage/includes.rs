@@ -49,6 +49,49 @@ fn includes_are_resolved_as_in_bundlers() {
 }
 
 #[test]
+fn includes_are_found_by_the_end_of_their_path() {
+    finds("lib/core/f.glsl", "#include <core/f>");
+    finds("lib/core/gpu/f.glsl", "#include \"core/f.glsl?raw\"");
+    finds("lib/f.module.glsl", "#pragma include <f>");
+    finds(
+        "lib/shaders/f.frag.glsl",
+        "@import ../../../shaders/f.frag;",
+    );
+    finds("packages/pkg/lib/f.vert", "@import ./pkg/f");
+    finds("lib/math/f.glsl", "#import \"@pkg/math/f\"");
+    for (file, directive) in [
+        // A chunk is code for any stage.
+        ("lib/f.frag", "#include <f>"),
+        ("lib/f.glsl", "#include \"core/f\""),
+        ("lib/gpu/core/f.glsl", "#include \"core/gpu/f\""),
+        ("lib/f.glsl", "#include \"f.frag\""),
+        ("dist/f.glsl", "#include \"f\""),
+        // A chunk of three.js.
+        ("lib/common.glsl", "#include <common>"),
+    ] {
+        let scratch = Scratch::new(&[(file, F), ("src/x/a.glsl", &calling(directive))]);
+        assert_eq!(scratch.run(&["-q", "src/x/a.glsl"]).code, 0, "{directive}");
+    }
+}
+
+#[test]
+fn one_of_several_files_is_included_only_if_all_are_the_same() {
+    let shader = calling("#include \"f\"");
+    let scratch = Scratch::new(&[("a/f.glsl", F), ("b/f.glsl", F), ("c/a.glsl", &shader)]);
+    assert_eq!(rules(&scratch, &["c/a.glsl"]), ["vector-size"]);
+    // The cache notices files anywhere.
+    scratch.write("b/f.glsl", "vec3 f() { return vec3(1.0); }\n");
+    assert_eq!(rules(&scratch, &["c/a.glsl"]), ["undeclared-name"]);
+    // Findings there are those without the shader, which its program completes.
+    let wrong = "vec2 f() { return vec2(1.0, true, 2); }\n";
+    let scratch = Scratch::new(&[("a/f.glsl", wrong), ("c/a.glsl", &shader)]);
+    assert_eq!(rules(&scratch, &["c/a.glsl"]), ["vector-size"]);
+    // No file includes itself.
+    let scratch = Scratch::new(&[("c/f.glsl", &shader.replace("\"f\"", "\"d/f\""))]);
+    assert_eq!(scratch.run(&["-q", "c/f.glsl"]).code, 0);
+}
+
+#[test]
 fn missing_includes_are_not_errors() {
     let missing = calling("#include \"nowhere.glsl\"");
     let scratch = Scratch::new(&[("a.glsl", &missing)]);
@@ -87,6 +130,8 @@ fn include_roots_are_searched() {
     let shader = calling("#include \"math/f.glsl\"");
     let files = [("lib/math/f.glsl", F), ("src/a.glsl", shader.as_str())];
     let scratch = Scratch::new(&files);
+    // Without the root, either may be meant.
+    scratch.write("gpu/math/f.glsl", "vec3 f() { return vec3(1.0); }");
     assert_eq!(rules(&scratch, &["src/a.glsl"]), ["undeclared-name"]);
     scratch.write("shaderlint.toml", "include_roots = [\"other\", \"lib\"]");
     assert_eq!(rules(&scratch, &["src/a.glsl"]), ["vector-size"]);

@@ -66,7 +66,8 @@ fn is_packed(text: &str) -> bool {
     const LONG: usize = 500;
     /// Minimum length of texts that are minified.
     const SHORTEST: usize = 1500;
-    if text.len() < SHORTEST {
+    // A file that is one string holds a text, such as a shader.
+    if text.len() < SHORTEST || text.matches('"').count() == 2 {
         return false;
     }
     let (mut long, mut marks) = (0, 0);

@@ -16,8 +16,8 @@ pub use chunk::{Chunk, Scanned};
 use evidence::starts_as_web;
 pub use evidence::{Evidence, VersionLine, has_main, is_type};
 pub use made::made;
-pub use sections::is_chunk_of_library;
 pub(crate) use sections::{Section, chunks, sections};
+pub use sections::{is_chunk_of_library, without_annotations};
 pub use shader_language::ShaderLanguage;
 pub(crate) use signs::may_be_shader;
 

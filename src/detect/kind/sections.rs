@@ -142,6 +142,11 @@ pub fn chunks(text: &str) -> Vec<Section> {
     found
 }
 
+/// A text as GLSL of the same length, without the annotations that the library of its chunks removes.
+pub fn without_annotations(text: &str) -> String {
+    text.split_inclusive('\n').map(plain).collect()
+}
+
 /// Whether a name in an import is that of a chunk of a library: `clay.util.rgbm`.
 pub fn is_chunk_of_library(name: &str) -> bool {
     name.matches('.').count() > 1 && !name.contains(['/', '"', '\''])
@@ -169,7 +174,11 @@ fn plain(line: &str) -> String {
             _ => {}
         }
         let is_blank = is_left_out && c != '\n';
-        if is_blank { " ".repeat(c.len_utf8()) } else { c.to_string() }
+        if is_blank {
+            " ".repeat(c.len_utf8())
+        } else {
+            c.to_string()
+        }
     };
     line.chars().map(&mut plain).collect()
 }

@@ -13,10 +13,12 @@ use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::{
     DocumentLanguage, Embedded, Embedder, LeadingBlanks, NamedStage, Wrapping, joined,
 };
-use shaderlint_detect::kind::{Evidence, ShaderLanguage, has_main, own_directive};
+use shaderlint_detect::kind::{
+    Evidence, ShaderLanguage, has_main, own_directive, without_annotations,
+};
 use shaderlint_diagnostic::{Applicability, Diagnostic, error};
 use shaderlint_host::shadertoy;
-use shaderlint_project::{MissingInclude, spread_chunks};
+use shaderlint_project::{MissingInclude, imported_hosts, spread_chunks};
 use shaderlint_semantic::snippet::{SnippetItem, items};
 use shaderlint_semantic::{GuessedKind, Stage, guess, needs_300};
 use shaderlint_syntax::{Version, WordClass, classify};
@@ -41,6 +43,11 @@ pub fn parts(
     let embedder = embedder((name, text), language, &all, context);
     if embedder.leading_blanks == LeadingBlanks::Trimmed {
         all.iter_mut().for_each(Embedded::trim_start);
+    }
+    let is_annotated = |e: &Embedded| e.code.contains(':') && e.chunk.is_none();
+    if all.iter().any(is_annotated) && imported_hosts(text).iter().any(|h| h.takes_annotations) {
+        all.iter_mut()
+            .for_each(|e| e.code = without_annotations(&e.code));
     }
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     // A script that contains `#version` may write it before any of its shaders.

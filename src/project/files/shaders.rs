@@ -69,22 +69,35 @@ impl RepositoryShaders {
         path: &str,
         fits: impl Fn(&Path, &str) -> bool,
     ) -> Option<Vec<PathBuf>> {
-        let parts = path.split('/').map(|part| part.trim_start_matches(['~', '@']));
-        let mut parts: Vec<&str> = parts.filter(|part| !matches!(*part, "" | "." | "..")).collect();
+        let parts = path
+            .split('/')
+            .map(|part| part.trim_start_matches(['~', '@']));
+        let mut parts: Vec<&str> = parts
+            .filter(|part| !matches!(*part, "" | "." | ".."))
+            .collect();
         let name = parts.pop()?;
         let is_named = |path: &&PathBuf| {
             let own = path.file_name().unwrap_or_default().to_string_lossy();
-            own.strip_prefix(name).is_some_and(|rest| is_omitted(rest) && fits(path, rest))
+            own.strip_prefix(name)
+                .is_some_and(|rest| is_omitted(rest) && fits(path, rest))
         };
-        let all = self.files.get(first_word(name)).map_or(&[][..], Vec::as_slice);
+        let all = self
+            .files
+            .get(first_word(name))
+            .map_or(&[][..], Vec::as_slice);
         let all: Vec<&PathBuf> = all.iter().filter(is_named).collect();
         let within = |parts: &[&str]| -> Vec<PathBuf> {
             let is_in = |path: &&&PathBuf| {
                 let folder = path.parent().and_then(|f| f.strip_prefix(&self.root).ok());
                 let mut folders = folder.into_iter().flatten();
-                parts.iter().all(|part| folders.any(|folder| folder == *part))
+                parts
+                    .iter()
+                    .all(|part| folders.any(|folder| folder == *part))
             };
-            all.iter().filter(is_in).map(|path| path.to_path_buf()).collect()
+            all.iter()
+                .filter(is_in)
+                .map(|path| path.to_path_buf())
+                .collect()
         };
         let mut found = within(&parts);
         // The scope of a package or an alias of a bundler is no folder.
@@ -99,7 +112,10 @@ impl RepositoryShaders {
         let chunks = self.chunks.get_or_init(|| {
             let mut all = Chunks::default();
             add_chunks(&self.root, files, &mut all);
-            let own: FxHashSet<_> = all.keys().map(|name| first_word(name).to_string()).collect();
+            let own: FxHashSet<_> = all
+                .keys()
+                .map(|name| first_word(name).to_string())
+                .collect();
             for package in PACKAGES {
                 let folder = self.root.join("node_modules").join(package);
                 let mut others = Chunks::default();
@@ -120,7 +136,10 @@ fn first_word(name: &str) -> &str {
 /// Whether a path may omit this end of a file name.
 fn is_omitted(end: &str) -> bool {
     let end = end.strip_prefix(".module").unwrap_or(end);
-    end.is_empty() || end.strip_prefix('.').is_some_and(|e| EXTENSIONS.contains(&e))
+    end.is_empty()
+        || end
+            .strip_prefix('.')
+            .is_some_and(|e| EXTENSIONS.contains(&e))
 }
 
 /// Adds the chunks under a folder. Where a library has them as GLSL and as scripts made of that, the first
@@ -155,7 +174,9 @@ fn add_chunks_in(path: &Path, text: &str, found: &mut Chunks) {
             file: Arc::new(IncludedFile::new(shader.code.into())),
         };
         let is_same = |other: &Option<LibraryChunk>| {
-            other.as_ref().is_some_and(|o| o.file.text == chunk.file.text)
+            other
+                .as_ref()
+                .is_some_and(|o| o.file.text == chunk.file.text)
         };
         match found.get_mut(&name) {
             Some(other) if !is_same(other) => *other = None,

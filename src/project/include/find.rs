@@ -29,6 +29,8 @@ pub struct FoundFile {
     pub file: Arc<IncludedFile>,
     /// For a chunk of a library: where it starts in the text of the file, and that text.
     pub outer: Option<(usize, Arc<str>)>,
+    /// Whether it is not where its path says.
+    pub is_elsewhere: bool,
 }
 
 /// Why a file was not included.
@@ -165,6 +167,7 @@ impl FileAccess<'_> {
             file: file.ok_or(Absence::NotFound)?,
             real,
             outer: None,
+            is_elsewhere: false,
         })
     }
 
@@ -184,7 +187,11 @@ impl FileAccess<'_> {
         let load = |path: PathBuf| self.load(&self.relative(&path)).ok();
         let found = load(all.pop()?)?;
         let is_same = |path| load(path).is_some_and(|f| f.file.text == found.file.text);
-        all.into_iter().all(is_same).then_some(found)
+        let is_one = all.into_iter().all(is_same);
+        is_one.then_some(FoundFile {
+            is_elsewhere: true,
+            ..found
+        })
     }
 
     /// The chunk of a library with this name, wherever the repository has it.
@@ -201,6 +208,7 @@ impl FileAccess<'_> {
             real: chunk_path(&chunk.path, name),
             file: chunk.file,
             outer: Some((chunk.start, text)),
+            is_elsewhere: true,
             ..outer
         })
     }

@@ -420,8 +420,8 @@ impl<'r, 'w> Spreader<'r, 'w> {
             true => self.context.chunk(from, &requested.path)?,
             false => self.context.elsewhere(from, requested)?,
         };
-        let is_open = self.open.iter().any(|open| open.real == found.real);
-        (!is_open).then_some(found)
+        let is_own = |open: &OpenFile| open.real == found.real && found.outer.is_none();
+        (!self.open.iter().any(is_own)).then_some(found)
     }
 
     fn miss(&mut self, span: Span, path: &str, absent: Absent) {
@@ -484,8 +484,12 @@ impl<'r, 'w> Spreader<'r, 'w> {
             Some((start, text)) => (start, self.add_outer(&found.name, text)?),
             None => (0, self.add(&found.name, found.file.text.clone())?),
         };
-        if is_of_package(Path::new(&found.name)) && !self.is_in_package {
-            self.found.hushed.0.entry(id).or_insert(Hush::Rules);
+        let is_hushed = |open: &OpenFile| self.found.hushed.0.get(&open.file) == Some(&Hush::All);
+        if found.is_elsewhere || self.open.last().is_some_and(is_hushed) {
+            // What its program puts before it is not known, so its findings are those without the shader.
+            self.found.hushed.0.insert(id, Hush::All);
+        } else if is_of_package(Path::new(&found.name)) && !self.is_in_package {
+            self.found.hushed.0.insert(id, Hush::Rules);
         }
         self.open(found.name, found.real, id, found.file);
         let last = self.open.last_mut()?;
@@ -494,13 +498,12 @@ impl<'r, 'w> Spreader<'r, 'w> {
         Some(())
     }
 
-    /// Adds a file that has an included chunk, whose findings are reported where the file is checked.
+    /// Adds a file that has an included chunk.
     fn add_outer(&mut self, path: &str, text: Arc<str>) -> Option<FileId> {
         if let Some(known) = self.outer.get(path) {
             return Some(*known);
         }
         let id = self.add(path, text)?;
-        self.found.hushed.0.insert(id, Hush::All);
         self.outer.insert(path.to_string(), id);
         Some(id)
     }
