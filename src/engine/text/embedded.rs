@@ -44,11 +44,7 @@ pub fn parts(
     if embedder.leading_blanks == LeadingBlanks::Trimmed {
         all.iter_mut().for_each(Embedded::trim_start);
     }
-    let is_annotated = |e: &Embedded| e.code.contains(':') && e.chunk.is_none();
-    if all.iter().any(is_annotated) && imported_hosts(text).iter().any(|h| h.takes_annotations) {
-        all.iter_mut()
-            .for_each(|e| e.code = without_annotations(&e.code));
-    }
+    remove_annotations(text, &mut all);
     let is_300 = language == DocumentLanguage::Markdown && speaks_of_300(&all);
     // A script that contains `#version` may write it before any of its shaders.
     let is_unchanged = embedder.hands_over && !embedder.joins;
@@ -93,14 +89,11 @@ pub fn parts(
                 pieces(sources, file, embedded, &mut modules)?
             }
         };
-        let imports = chunk_imports(input, (name, file), embedded, context)?;
-        let (read, missing) = imports.unwrap_or((read, Vec::new()));
-        let read = (read, !missing.is_empty());
+        let read = with_imports(input, (name, file), embedded, read, context)?;
         let shaders = shaders_of(input, embedded, read, around, options)?.into_iter();
         input.parts.extend(shaders.map(|shader| ShaderInput {
             embedded: Some(index),
             embedder,
-            missing: missing.clone(),
             ..shader
         }));
     }
@@ -108,23 +101,33 @@ pub fn parts(
     Some(())
 }
 
-/// A chunk of a library with those that it imports, and those that are missing; `None` inside for other texts.
-fn chunk_imports(
+/// Removes what the host of a page or script removes from declarations.
+fn remove_annotations(text: &str, all: &mut [Embedded]) {
+    let is_annotated = |e: &Embedded| e.code.contains(':') && e.chunk.is_none();
+    if all.iter().any(is_annotated) && imported_hosts(text).iter().any(|h| h.takes_annotations) {
+        all.iter_mut()
+            .for_each(|e| e.code = without_annotations(&e.code));
+    }
+}
+
+/// The files of a text with the chunks of a library that it imports, and the chunks that are missing.
+fn with_imports(
     input: &mut SplitInput,
     (name, file): (&str, FileId),
     embedded: &Embedded,
+    read: Vec<FileId>,
     context: CheckContext,
-) -> Option<Option<(Vec<FileId>, Vec<MissingInclude>)>> {
-    let imports = |_: &&String| embedded.code.contains("#import ");
+) -> Option<(Vec<FileId>, Vec<MissingInclude>)> {
+    let imports = |_: &&String| embedded.code.contains("#import ") && !is_shown(embedded);
     let Some(chunk) = embedded.chunk.as_ref().filter(imports) else {
-        return Some(None);
+        return Some((read, Vec::new()));
     };
     let text = (chunk.as_str(), embedded.start, embedded.code.as_str());
     let access = context.file_access();
     let found = spread_chunks(&mut input.sources, (name, file), text, access)?;
     input.problems.extend(found.problems);
     input.hushed.extend(found.hushed);
-    Some(Some((found.files, found.missing)))
+    Some((found.files, found.missing))
 }
 
 /// What the program around the shaders does. A document shows code of several programs.
@@ -197,7 +200,7 @@ fn is_excerpt(embedded: &Embedded) -> bool {
 fn shaders_of(
     input: &mut SplitInput,
     embedded: &Embedded,
-    (files, is_open): (Vec<FileId>, bool),
+    (files, missing): (Vec<FileId>, Vec<MissingInclude>),
     around: FileContext,
     options: &Options,
 ) -> Option<Vec<ShaderInput>> {
@@ -218,13 +221,13 @@ fn shaders_of(
             Wrapping::Template | Wrapping::Quotes | Wrapping::Raw => Surroundings::Literal,
             Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
-        is_open,
+        is_open: !missing.is_empty(),
         is_compiled: around.is_compiled && !is_shown(embedded),
         is_300: around.is_300,
         has_holes: is_excerpt(embedded) || embedded.has_holes,
         macros: String::new(),
     };
-    shaders(input, (code, guessed), text, options)
+    shaders(input, (code, guessed), (text, missing), options)
 }
 
 /// Completes an excerpt: its functions and directives, then its statements in a function. Each

@@ -9,7 +9,7 @@ use crate::shader::reading::{InputText, Readings, Surroundings};
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_detect::embed::mask;
 use shaderlint_detect::kind::file_extension;
-use shaderlint_project::{JoinedFiles, is_common, spread};
+use shaderlint_project::{JoinedFiles, MissingInclude, is_common, spread};
 use shaderlint_semantic::{Guess, GuessedKind, Stage, guess};
 use shaderlint_text::FileId;
 use std::sync::Arc;
@@ -67,11 +67,8 @@ pub fn shader_part(
         has_holes,
         macros: String::new(),
     };
-    let shaders = shaders(input, (text, guessed), about, options)?.into_iter();
-    input.parts.extend(shaders.map(|shader| ShaderInput {
-        missing: missing.clone(),
-        ..shader
-    }));
+    let shaders = shaders(input, (text, guessed), (about, missing), options)?;
+    input.parts.extend(shaders);
     Some(())
 }
 
@@ -79,14 +76,18 @@ pub fn shader_part(
 pub fn shaders(
     input: &mut SplitInput,
     (code, guessed): (&str, Guess),
-    about: InputText,
+    (about, missing): (InputText, Vec<MissingInclude>),
     options: &Options,
 ) -> Option<Vec<ShaderInput>> {
     let sources = Arc::make_mut(&mut input.sources);
+    let with = |readings, missing| ShaderInput {
+        missing,
+        ..ShaderInput::new(readings)
+    };
     let selected = selected_shaders(code);
     if selected.is_empty() {
         let readings = Readings::of(sources, (code, guessed), about, options)?;
-        return Some(vec![ShaderInput::new(readings)]);
+        return Some(vec![with(readings, missing)]);
     }
     let shader = |shader: &SelectedShader| {
         let about = InputText {
@@ -95,7 +96,7 @@ pub fn shaders(
             ..about.clone()
         };
         let readings = Readings::of(sources, (code, guessed), about, options)?;
-        Some(ShaderInput::new(readings))
+        Some(with(readings, missing.clone()))
     };
     selected.iter().map(shader).collect()
 }

@@ -8,13 +8,12 @@ use crate::include::EXTENSIONS;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::embed::{DocumentLanguage, extract_named};
 use shaderlint_detect::kind::file_extension;
+use shaderlint_host::presets;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 /// Maximum number of files that fit one path.
 const MAX_FITTING: usize = 16;
-/// The packages whose chunks a repository may import without having them.
-const PACKAGES: [&str; 2] = ["claygl", "qtek"];
 
 /// Chunks by name, `None` for several with different texts.
 type Chunks = FxHashMap<String, Option<LibraryChunk>>;
@@ -64,11 +63,7 @@ impl RepositoryShaders {
     /// The files whose name is the last part of a path, perhaps without its extension, in folders whose names
     /// contain the other parts in order. `fits` is also asked, with the extension that the path omits. `None` if
     /// they are too many.
-    pub fn ending_in(
-        &self,
-        path: &str,
-        fits: impl Fn(&Path, &str) -> bool,
-    ) -> Option<Vec<PathBuf>> {
+    pub fn fitting(&self, path: &str, fits: impl Fn(&Path, &str) -> bool) -> Option<Vec<PathBuf>> {
         let parts = path
             .split('/')
             .map(|part| part.trim_start_matches(['~', '@']));
@@ -100,8 +95,9 @@ impl RepositoryShaders {
                 .collect()
         };
         let mut found = within(&parts);
-        // The scope of a package or an alias of a bundler is no folder.
-        if found.is_empty() && path.starts_with(['@', '~']) {
+        // The scope of a package is no folder.
+        let has_scope = path.starts_with(['@', '~']) && !path.get(1..)?.starts_with('/');
+        if found.is_empty() && has_scope {
             found = within(parts.get(1..)?);
         }
         (found.len() <= MAX_FITTING).then_some(found)
@@ -116,7 +112,9 @@ impl RepositoryShaders {
                 .keys()
                 .map(|name| first_word(name).to_string())
                 .collect();
-            for package in PACKAGES {
+            // Chunks of a package are those that the repository does not have.
+            let hosts = presets().filter(|host| host.takes_annotations);
+            for package in hosts.flat_map(|host| &host.packages) {
                 let folder = self.root.join("node_modules").join(package);
                 let mut others = Chunks::default();
                 add_chunks(&folder, files, &mut others);
@@ -173,17 +171,10 @@ fn add_chunks_in(path: &Path, text: &str, found: &mut Chunks) {
             start: shader.start,
             file: Arc::new(IncludedFile::new(shader.code.into())),
         };
-        let is_same = |other: &Option<LibraryChunk>| {
-            other
-                .as_ref()
-                .is_some_and(|o| o.file.text == chunk.file.text)
-        };
-        match found.get_mut(&name) {
-            Some(other) if !is_same(other) => *other = None,
-            Some(_) => {}
-            None => {
-                found.insert(name, Some(chunk));
-            }
+        let other = found.entry(name).or_insert_with(|| Some(chunk.clone()));
+        let is_same = |other: &LibraryChunk| other.file.text == chunk.file.text;
+        if !other.as_ref().is_some_and(is_same) {
+            *other = None;
         }
     }
 }

@@ -23,7 +23,7 @@ pub struct FoundFile {
     pub name: String,
     /// The folder that the path in the directive is relative to.
     pub folder: PathBuf,
-    /// Path without symbolic links.
+    /// Path without symbolic links, for a chunk of a library with its name.
     pub real: PathBuf,
     /// Contents of the file, or of the chunk in it.
     pub file: Arc<IncludedFile>,
@@ -178,7 +178,7 @@ impl FileAccess<'_> {
         let from = plain(&self.files.here().join(from));
         let is_chunk = requested.manner == Manner::Chunk;
         let mut all = self.cache.shaders(&from, self.files, |shaders| {
-            shaders.ending_in(named.split('?').next()?, |path, rest| {
+            shaders.fitting(named.split('?').next()?, |path, rest| {
                 // A chunk is code for any stage, as beside the file.
                 let is_for_any = rest.is_empty() || rest.ends_with(".glsl");
                 path != from && (is_for_any || !is_chunk)
@@ -205,18 +205,13 @@ impl FileAccess<'_> {
         // It may have changed since.
         text.get(chunk.start..chunk.start + chunk.file.text.len())?;
         Some(FoundFile {
-            real: chunk_path(&chunk.path, name),
+            real: chunk.path.join(name),
             file: chunk.file,
             outer: Some((chunk.start, text)),
             is_elsewhere: true,
             ..outer
         })
     }
-}
-
-/// What tells a chunk of a library from others in its file, in place of the path.
-pub fn chunk_path(file: &Path, name: &str) -> PathBuf {
-    file.join(name)
 }
 
 /// Whether a file belongs to a package.

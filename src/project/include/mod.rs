@@ -14,7 +14,7 @@ pub use moved::{FileMoves, moved_includes};
 use crate::access::FileAccess;
 use crate::files::family::common_of;
 use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
-use find::{Absent, FoundFile, chunk_path, is_of_package};
+use find::{Absent, FoundFile, is_of_package};
 use module::Modules;
 use shaderlint_detect::kind::is_chunk_of_library;
 use shaderlint_diagnostic::{Diagnostic, Fix, Severity, error};
@@ -166,7 +166,7 @@ pub fn spread_chunks(
 ) -> Option<Spread> {
     let mut spreader = Spreader::new(sources, name, context);
     let own = Arc::new(IncludedFile::new(code.into()));
-    let real = chunk_path(&plain(&context.files.here().join(name)), chunk);
+    let real = plain(&context.files.here().join(name)).join(chunk);
     spreader.open(name.to_string(), real, file, own);
     spreader.open.last_mut()?.start = start;
     spreader.run()?;
@@ -186,8 +186,6 @@ struct Spreader<'r, 'w> {
     undefined: BTreeSet<String>,
     /// Resolved files, by including file and path.
     known: HashMap<(String, String), FoundFile>,
-    /// By path: the files of chunks that were added.
-    outer: HashMap<String, FileId>,
     lookups: usize,
     modules: Modules,
     /// Whether the shader itself belongs to a package.
@@ -253,7 +251,6 @@ impl<'r, 'w> Spreader<'r, 'w> {
             seen: HashMap::new(),
             undefined: BTreeSet::new(),
             known: HashMap::new(),
-            outer: HashMap::new(),
             lookups: MAX_LOOKUPS,
             modules: Modules::default(),
             is_in_package: is_of_package(Path::new(name)),
@@ -480,10 +477,8 @@ impl<'r, 'w> Spreader<'r, 'w> {
             }
         }
         self.budget -= 1;
-        let (start, id) = match found.outer {
-            Some((start, text)) => (start, self.add_outer(&found.name, text)?),
-            None => (0, self.add(&found.name, found.file.text.clone())?),
-        };
+        let (start, text) = found.outer.unwrap_or((0, found.file.text.clone()));
+        let id = self.add(&found.name, text)?;
         let is_hushed = |open: &OpenFile| self.found.hushed.0.get(&open.file) == Some(&Hush::All);
         if found.is_elsewhere || self.open.last().is_some_and(is_hushed) {
             // What its program puts before it is not known, so its findings are those without the shader.
@@ -496,16 +491,6 @@ impl<'r, 'w> Spreader<'r, 'w> {
         (last.is_conditional, last.depth, last.close) = (is_conditional, depth, close);
         last.start = start;
         Some(())
-    }
-
-    /// Adds a file that has an included chunk.
-    fn add_outer(&mut self, path: &str, text: Arc<str>) -> Option<FileId> {
-        if let Some(known) = self.outer.get(path) {
-            return Some(*known);
-        }
-        let id = self.add(path, text)?;
-        self.outer.insert(path.to_string(), id);
-        Some(id)
     }
 
     fn prelude(&mut self, text: &str) -> Option<FileId> {

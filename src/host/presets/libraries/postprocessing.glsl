@@ -13,13 +13,14 @@
 //
 // Functions, varyings, uniforms and macros of the effect get a prefix such as `e0`, so names of
 // different effects do not collide. The shader declares its uniforms itself. Not declared here: the
-// macros in the Map object `defines` of the JavaScript class.
+// macros in the Map object `defines` of the JavaScript class. DepthMaskMaterial defines `depthTest(d0, d1)`.
 //
 // base: three
 // source: postprocessing 6.39.6, build/index.js (effect.frag, effect.vert, EffectPass); three 0.187.0, src/renderers/webgl/WebGLProgram.js, ShaderChunk/common.glsl.js, packing.glsl.js
 // package: postprocessing @react-three/postprocessing
 // word: inputBuffer getViewZ readDepth packFloatToRGBA unpackRGBAToFloat
 // complete: Effect
+// also: depthTest
 // renames: yes
 // entry: mainImage mainUv mainSupport
 #define THREE_REVISION 187
