@@ -97,7 +97,7 @@ fn chunks_of_a_library_are_checked() {
 
 #[test]
 fn imported_chunks_are_those_of_the_whole_repository() {
-    let text = "@export a.b.fragment\nuniform vec3 color = vec3(1.0), other : [1, 2, 3]; // x: y\n@import a.c.d\nvoid main() {\n    gl_FragColor = twice(color);\n    other = missing;\n}\n@end\n\n@export a.c.e\nfloat part(float x) { return x / 2; }\n@import a.c.d\n@end\n";
+    let text = "@export a.b.fragment\nuniform vec3 color = vec3(1.0), other : [1, 2, 3]; // x: y\n@import a.c.d\nvoid main() {\n    gl_FragColor = twice(color);\n    other = missing + absent * COUNT;\n}\n@end\n\n@export a.c.e\nfloat part(float x) { return x / 2; }\n@import a.c.d\n@end\n";
     let script = "export default \"\\n@export a.c.d\\n@import a.c.e\\nvec3 twice(vec3 x) { return x * 2; }\\n@end\\n@export a.c.f\\nuniform mat4 m : WORLD;\\nvoid main() {\\n gl_FragColor = vec3(m[0]);\\n}\\n@end\";\n";
     let folder = Scratch::new(&[("x/a.glsl", text), ("y/chunks.glsl.js", script)]);
     // Each is reported once, although the chunks import each other.
@@ -105,8 +105,9 @@ fn imported_chunks_are_those_of_the_whole_repository() {
     let expected = [
         "5:5 vector-size",
         "6:5 not-assignable",
-        "11:34 int-float-mix",
         "6:13 undeclared-name",
+        "6:23 undeclared-name",
+        "11:34 int-float-mix",
     ];
     assert_eq!(found, expected);
     let found = folder.places(&["y/chunks.glsl.js"]);

@@ -58,7 +58,10 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
             let is_call = sources.text(Span::new(d.span.end, d.span.end + 1)) == "(";
             let has_host = !part.readings.hosts.is_empty();
             let was_given = is_call && has_host && was_in_chunk(word);
+            // Programs set macros for chunks of a library.
+            let is_macro = part.is_of_library && !word.contains(|c: char| c.is_ascii_lowercase());
             let is_given = was_given
+                || is_macro
                 || matches_any(&part.readings.declared_at_times, word) && !hosts.is_set(word);
             is_word(word) && !is_given && !optional.declares(word)
         });
@@ -279,6 +282,7 @@ fn is_forgotten(word: &str, hosts: &Hosts) -> bool {
 /// Whether all that the hosts of a text add to it is known.
 fn is_known(part: &ShaderInput) -> bool {
     match part.readings.hosts.is_empty() {
+        _ if part.is_of_library => true,
         true => part.embedder.hands_over,
         false => part.readings.are_hosts_complete,
     }

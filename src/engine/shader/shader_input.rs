@@ -29,6 +29,8 @@ pub struct ShaderInput {
     pub missing: Vec<MissingInclude>,
     /// Whether its files are all that scripts make a shader of.
     pub is_joined: bool,
+    /// Whether it is of a library that adds only macros and the chunks that it imports.
+    pub is_of_library: bool,
     /// The host that composes the shader, if the composed text is what is checked.
     pub host: Option<&'static Preset>,
     /// The checked shader, if it is kept.
@@ -46,6 +48,7 @@ impl ShaderInput {
             mipmapped: [None; 4],
             missing: Vec::new(),
             is_joined: false,
+            is_of_library: false,
             host: None,
             analysis: None,
         }

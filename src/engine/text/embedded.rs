@@ -94,6 +94,7 @@ pub fn parts(
         input.parts.extend(shaders.map(|shader| ShaderInput {
             embedded: Some(index),
             embedder,
+            is_of_library: embedded.chunk.is_some(),
             ..shader
         }));
     }

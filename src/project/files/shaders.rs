@@ -64,35 +64,24 @@ impl RepositoryShaders {
     /// contain the other parts in order. `fits` is also asked, with the extension that the path omits. `None` if
     /// they are too many.
     pub fn fitting(&self, path: &str, fits: impl Fn(&Path, &str) -> bool) -> Option<Vec<PathBuf>> {
-        let parts = path
-            .split('/')
-            .map(|part| part.trim_start_matches(['~', '@']));
-        let mut parts: Vec<&str> = parts
-            .filter(|part| !matches!(*part, "" | "." | ".."))
-            .collect();
+        let parts = path.split('/').map(|p| p.trim_start_matches(['~', '@']));
+        let mut parts: Vec<&str> = parts.filter(|p| !["", ".", ".."].contains(p)).collect();
         let name = parts.pop()?;
         let is_named = |path: &&PathBuf| {
             let own = path.file_name().unwrap_or_default().to_string_lossy();
-            own.strip_prefix(name)
-                .is_some_and(|rest| is_omitted(rest) && fits(path, rest))
+            let rest = own.strip_prefix(name).filter(|rest| is_omitted(rest));
+            rest.is_some_and(|rest| fits(path, rest))
         };
-        let all = self
-            .files
-            .get(first_word(name))
-            .map_or(&[][..], Vec::as_slice);
-        let all: Vec<&PathBuf> = all.iter().filter(is_named).collect();
+        let all = self.files.get(first_word(name)).into_iter().flatten();
+        let all: Vec<&PathBuf> = all.filter(is_named).collect();
         let within = |parts: &[&str]| -> Vec<PathBuf> {
-            let is_in = |path: &&&PathBuf| {
+            let is_in = |path: &&PathBuf| {
                 let folder = path.parent().and_then(|f| f.strip_prefix(&self.root).ok());
                 let mut folders = folder.into_iter().flatten();
-                parts
-                    .iter()
-                    .all(|part| folders.any(|folder| folder == *part))
+                parts.iter().all(|part| folders.any(|f| f == *part))
             };
-            all.iter()
-                .filter(is_in)
-                .map(|path| path.to_path_buf())
-                .collect()
+            let all = all.iter().copied().filter(is_in);
+            all.cloned().collect()
         };
         let mut found = within(&parts);
         // The scope of a package is no folder.
@@ -108,10 +97,8 @@ impl RepositoryShaders {
         let chunks = self.chunks.get_or_init(|| {
             let mut all = Chunks::default();
             add_chunks(&self.root, files, &mut all);
-            let own: FxHashSet<_> = all
-                .keys()
-                .map(|name| first_word(name).to_string())
-                .collect();
+            let own = all.keys().map(|name| first_word(name).to_string());
+            let own: FxHashSet<_> = own.collect();
             // Chunks of a package are those that the repository does not have.
             let hosts = presets().filter(|host| host.takes_annotations);
             for package in hosts.flat_map(|host| &host.packages) {
@@ -134,10 +121,8 @@ fn first_word(name: &str) -> &str {
 /// Whether a path may omit this end of a file name.
 fn is_omitted(end: &str) -> bool {
     let end = end.strip_prefix(".module").unwrap_or(end);
-    end.is_empty()
-        || end
-            .strip_prefix('.')
-            .is_some_and(|e| EXTENSIONS.contains(&e))
+    let extension = end.strip_prefix('.');
+    end.is_empty() || extension.is_some_and(|e| EXTENSIONS.contains(&e))
 }
 
 /// Adds the chunks under a folder. Where a library has them as GLSL and as scripts made of that, the first
