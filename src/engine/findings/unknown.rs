@@ -49,23 +49,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     let count = |word: &str| vocabulary.count(word);
     let mut removed = removed::take(&mut unknown, (sources, part), hosts, count);
     checked.diagnostics.append(&mut removed);
-    if !unknown.is_empty() {
-        let optional = Optional::of(checked);
-        // Interpolated names are unknown, and a group that the host activates may declare a name.
-        unknown.retain(|d| {
-            let word = sources.text(d.span);
-            // Which release of the host completes the text, with which functions, is not known.
-            let is_call = sources.text(Span::new(d.span.end, d.span.end + 1)) == "(";
-            let has_host = !part.readings.hosts.is_empty();
-            let was_given = is_call && has_host && was_in_chunk(word);
-            // Programs set macros for chunks of a library.
-            let is_macro = part.is_of_library && !word.contains(|c: char| c.is_ascii_lowercase());
-            let is_given = was_given
-                || is_macro
-                || matches_any(&part.readings.declared_at_times, word) && !hosts.is_set(word);
-            is_word(word) && !is_given && !optional.declares(word)
-        });
-    }
+    leave_given(&mut unknown, checked, part, hosts);
     let is_required = |d: &Diagnostic| required.iter().any(|name| name == sources.text(d.span));
     let (modules, mut unknown): (Vec<_>, Vec<_>) = unknown.into_iter().partition(is_required);
     for d in &mut unknown {
@@ -111,6 +95,33 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     }
     checked.diagnostics.append(&mut mistakes);
     sort(&mut checked.diagnostics);
+}
+
+/// Drops names that a host or an inactive group declares, and what scripts insert.
+fn leave_given(
+    unknown: &mut Vec<Diagnostic>,
+    checked: &Checked,
+    part: &ShaderInput,
+    hosts: &Hosts,
+) {
+    if unknown.is_empty() {
+        return;
+    }
+    let sources = &checked.program.sources;
+    let optional = Optional::of(checked);
+    unknown.retain(|d| {
+        let word = sources.text(d.span);
+        // Which release of the host completes the text, with which functions, is not known.
+        let is_call = sources.text(Span::new(d.span.end, d.span.end + 1)) == "(";
+        let has_host = !part.readings.hosts.is_empty();
+        let was_given = is_call && has_host && was_in_chunk(word);
+        // Programs set macros for chunks of a library.
+        let is_macro = part.is_of_library && !word.contains(|c: char| c.is_ascii_lowercase());
+        let is_given = was_given
+            || is_macro
+            || matches_any(&part.readings.declared_at_times, word) && !hosts.is_set(word);
+        is_word(word) && !is_given && !optional.declares(word)
+    });
 }
 
 /// Drops warnings about calls of functions that other files may overload.
