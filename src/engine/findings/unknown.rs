@@ -49,7 +49,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     let count = |word: &str| vocabulary.count(word);
     let mut removed = removed::take(&mut unknown, (sources, part), hosts, count);
     checked.diagnostics.append(&mut removed);
-    leave_given(&mut unknown, checked, part, hosts);
+    leave_given(&mut unknown, checked, part);
     let is_required = |d: &Diagnostic| required.iter().any(|name| name == sources.text(d.span));
     let (modules, mut unknown): (Vec<_>, Vec<_>) = unknown.into_iter().partition(is_required);
     for d in &mut unknown {
@@ -98,12 +98,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
 }
 
 /// Drops names that a host or an inactive group declares, and what scripts insert.
-fn leave_given(
-    unknown: &mut Vec<Diagnostic>,
-    checked: &Checked,
-    part: &ShaderInput,
-    hosts: &Hosts,
-) {
+fn leave_given(unknown: &mut Vec<Diagnostic>, checked: &Checked, part: &ShaderInput) {
     if unknown.is_empty() {
         return;
     }
@@ -117,9 +112,8 @@ fn leave_given(
         let was_given = is_call && has_host && was_in_chunk(word);
         // Programs set macros for chunks of a library.
         let is_macro = part.is_of_library && !word.contains(|c: char| c.is_ascii_lowercase());
-        let is_given = was_given
-            || is_macro
-            || matches_any(&part.readings.declared_at_times, word) && !hosts.is_set(word);
+        let was_given = was_given || is_macro;
+        let is_given = was_given || matches_any(&part.readings.declared_at_times, word);
         is_word(word) && !is_given && !optional.declares(word)
     });
 }

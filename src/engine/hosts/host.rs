@@ -365,7 +365,7 @@ impl<'a> Hosts<'a> {
 
     /// Whether a script around the text sets an input of this name: in `uniforms: { name: ... }` or
     /// `getUniformLocation(program, "name")`.
-    pub fn is_set(&self, name: &str) -> bool {
+    fn is_set(&self, name: &str) -> bool {
         self.scripts().iter().any(|(path, text)| {
             let extension = file_extension(&path.to_string_lossy());
             let language =
