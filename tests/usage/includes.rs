@@ -59,6 +59,10 @@ fn includes_are_found_by_the_end_of_their_path() {
     );
     finds("packages/pkg/lib/f.vert", "@import ./pkg/f");
     finds("lib/math/f.glsl", "#import \"@pkg/math/f\"");
+    finds(
+        "packages/pkg/src/math/f.glsl",
+        "#pragma import \"@a/pkg/dist/math/f.glsl\"",
+    );
     for (file, directive) in [
         // A chunk is code for any stage.
         ("lib/f.frag", "#include <f>"),

@@ -320,7 +320,9 @@ impl<'a> TemplateScan<'a> {
         let path = path.split('\n').next()?.trim().trim_end_matches(';');
         let is_path =
             path.len() > 2 && path.starts_with(['"', '\'']) && path.ends_with(['"', '\'']);
-        is_path.then_some((line.len(), HoleContent::Nothing))
+        // `#pragma import "path"` is a directive.
+        let is_pragma = self.text(&self.last) == "pragma";
+        (is_path && !is_pragma).then_some((line.len(), HoleContent::Nothing))
     }
 
     /// Whether a brace closes a block, after which no operator can follow.

@@ -275,13 +275,18 @@ pub fn visit(
 }
 
 /// The root of the repository that contains a file: the folder with version control, otherwise the
-/// package, otherwise the current folder if it contains the file.
+/// outermost package in the current folder, otherwise the package, otherwise the current folder if it contains
+/// the file.
 pub fn top(file: &Path, files: &dyn Files) -> PathBuf {
     let folder = file.parent().unwrap_or(Path::new(""));
     let above = || folder.ancestors().take(MAX_ABOVE);
-    let holding = |name: &str| above().find(|f| files.entry(&f.join(name)).is_some());
+    let holds = |folder: &Path, name: &str| files.entry(&folder.join(name)).is_some();
     let here = plain(files.here());
-    let top = holding(".git").or_else(|| holding("package.json"));
+    let packages = || above().filter(|f| holds(f, "package.json"));
+    // The packages of a repository belong together.
+    let outermost = || packages().filter(|f| f.starts_with(&here)).last();
+    let top = above().find(|f| holds(f, ".git"));
+    let top = top.or_else(outermost).or_else(|| packages().next());
     match top {
         Some(top) => top.to_path_buf(),
         None if folder.starts_with(&here) => here,

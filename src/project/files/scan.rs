@@ -291,7 +291,7 @@ impl<'a> Scanner<'a> {
         let (word, rest) = first_word(rest);
         match word {
             "once" => self.found.is_once = true,
-            "include" => return self.names(start, rest, Form::Put),
+            "include" | "import" => return self.names(start, rest, Form::Put),
             "glslify" => {
                 let rest = rest.trim_start().strip_prefix(':').unwrap_or("");
                 return self.glslify(start, rest);

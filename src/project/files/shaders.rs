@@ -65,7 +65,9 @@ impl RepositoryShaders {
     /// they are too many.
     pub fn fitting(&self, path: &str, fits: impl Fn(&Path, &str) -> bool) -> Option<Vec<PathBuf>> {
         let parts = path.split('/').map(|p| p.trim_start_matches(['~', '@']));
-        let mut parts: Vec<&str> = parts.filter(|p| !["", ".", ".."].contains(p)).collect();
+        // The source of build output is meant, which has the same folders.
+        let is_folder = |p: &&str| !["", ".", "..", "dist", "build", "out"].contains(p);
+        let mut parts: Vec<&str> = parts.filter(is_folder).collect();
         let name = parts.pop()?;
         let is_named = |path: &&PathBuf| {
             let own = path.file_name().unwrap_or_default().to_string_lossy();
