@@ -217,11 +217,10 @@ fn is_completed(text: &str) -> bool {
         let is_own = || {
             let rest = rest.trim_start();
             let (name, after) = rest.split_at(word_of(rest));
-            // A module of glslify adds nothing but the name that it is given.
-            let is_module = name == "glslify"
-                && after
-                    .split_once("require")
-                    .is_some_and(|(before, _)| before.contains('='));
+            // A module adds nothing but the name that it is given: `name = require(path)`.
+            let is_module = after
+                .split_once('(')
+                .is_some_and(|(before, _)| before.contains('='));
             !is_module
                 && !matches!(name, "STDGL" | "optimize" | "debug")
                 && after.trim_start().starts_with([':', '(', '<', '"'])

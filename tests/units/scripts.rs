@@ -22,8 +22,8 @@ fn literals_with_shaders_are_found() {
         &["#version 300 es\nx"],
     );
     check_shaders(
-        "f(glsl`float f();`, /* glsl */ `x`, /*no*/`y`)",
-        &["float f();", "x"],
+        "f(glsl`float f();`, /* glsl */ `x;`, /* glsl */ `f(x)`, /*no*/`y;`)",
+        &["float f();", "x;"],
     );
     check_shaders(
         "s = 'void  main ( ) {}'; t = \"void mainly()\"",

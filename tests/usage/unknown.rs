@@ -271,7 +271,7 @@ const LACKING: &str =
     "varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(vUv, uAmount, uBase); }\n";
 
 #[test]
-fn what_scripts_set_or_others_declare_is_forgotten() {
+fn forgotten_declarations_are_those_of_scripts_and_of_other_shaders() {
     let base = (
         "other.frag",
         "precision mediump float;\nuniform float uBase;\nvoid main() { gl_FragColor = vec4(uBase); }\n",

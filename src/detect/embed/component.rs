@@ -45,11 +45,11 @@ mod tests {
     fn only_scripts_and_literals_of_components_are_read() {
         let text = "---\nconst a = `#version 300 es\n1`;\n---\n<p>don't void main() {}</p>\
             <script lang=\"ts\">const b = `#version 300 es\n2`;</script>\
-            <div x={/* glsl */ `3`} />";
+            <div x={/* glsl */ `3;`} />";
         let mut found = Vec::new();
         extract(text, 0, &NoModules, &mut found);
         let codes: Vec<&str> = found.iter().map(|s| s.code.as_str()).collect();
-        assert_eq!(codes, ["#version 300 es\n1", "#version 300 es\n2", "3"]);
+        assert_eq!(codes, ["#version 300 es\n1", "#version 300 es\n2", "3;"]);
         for shader in &found {
             assert_eq!(
                 text.get(shader.start..shader.end()),
