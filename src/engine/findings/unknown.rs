@@ -143,7 +143,7 @@ fn leave_directives(checked: &mut Checked, hosts: &Hosts) {
         let word = line.map_or("", str::trim_start);
         let end = word.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let word = word.get(..end.unwrap_or(word.len())).unwrap_or("");
-        !DIRECTIVES.contains(&word) && hosts.is_directive_of_program(word)
+        !DIRECTIVES.contains(&word) && hosts.is_written_by_program("#", word)
     };
     checked
         .diagnostics
@@ -169,7 +169,11 @@ fn leave_macros(checked: &mut Checked, hosts: &Hosts, (is_joined, required): (bo
     let sources = &checked.program.sources;
     let is_macro = |d: &Diagnostic| {
         let name = sources.text(d.span);
-        let is_given = || hosts.is_given(name) || required.iter().any(|own| own == name);
+        let is_given = || {
+            hosts.is_given(name)
+                || hosts.is_written_by_program("'", name)
+                || required.iter().any(|own| own == name)
+        };
         d.lacks() == Some(Lack::Name) && is_given()
     };
     let all = std::mem::take(&mut checked.diagnostics);

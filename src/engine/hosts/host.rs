@@ -393,11 +393,11 @@ impl<'a> Hosts<'a> {
         (is_set || cache.is_owned(name, &file, files)) && !cache.is_declared(name, &file, files)
     }
 
-    /// Whether a program of the repository contains a directive with this name.
-    pub fn is_directive_of_program(&self, name: &str) -> bool {
+    /// Whether a program of the repository contains a name after `#`, or as a macro after `'`.
+    pub fn is_written_by_program(&self, mark: &str, name: &str) -> bool {
         let (files, file) = (self.context.files, self.file());
         let cache = &self.context.options.file_cache;
-        !name.is_empty() && cache.is_elsewhere(&format!("#{name}"), &file, files).0
+        !name.is_empty() && cache.is_elsewhere(&format!("{mark}{name}"), &file, files).0
     }
 
     /// Whether another file of the repository has a function or macro of this name.

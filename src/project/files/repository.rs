@@ -164,16 +164,15 @@ impl RepositoryWords {
         if is_about_shaders && is_program {
             programs.hand_over |= text.contains(".shaderSource(");
             programs.hold_version |= text.contains("#version 300");
+            let directives = text.split('#').skip(1);
+            let directives = directives.filter_map(|rest| words(rest).next());
+            let directives = directives.map(|word| format!("#{word}"));
+            let macros = macros_in_strings(&text).map(|word| format!("'{word}"));
+            let all = directives.chain(macros);
+            all.for_each(|word| self.words.add(hash(&word), number));
         }
         if is_about_shaders {
             self.about_shaders.push(path.clone());
-        }
-        if is_about_shaders && is_program {
-            let after = text
-                .split('#')
-                .skip(1)
-                .filter_map(|rest| words(rest).next());
-            after.for_each(|word| self.words.add(hash(&format!("#{word}")), number));
         }
         self.files.insert(path, number);
         length
@@ -237,6 +236,17 @@ impl std::fmt::Debug for RepositoryWords {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} words", self.words.0.len())
     }
+}
+
+/// The names of macros at the start of strings, with a value: `'LIGHTS ' + count`.
+fn macros_in_strings(text: &str) -> impl Iterator<Item = &str> {
+    let strings = text.split(['"', '\'', '`']).skip(1);
+    strings.filter_map(|string| {
+        let word = words(string).next()?;
+        let has_value = string.strip_prefix(word)?.starts_with(' ');
+        let is_macro = word.len() > 1 && !word.contains(|c: char| c.is_ascii_lowercase());
+        (has_value && is_macro).then_some(word)
+    })
 }
 
 /// Calls a function, which returns how many bytes it has read, for each file under a folder with one of some
