@@ -95,7 +95,7 @@ impl ErrorKind {
 }
 
 macro_rules! errors {
-    ($($(#[$doc:meta])* $constant:ident = $name:literal $(, $facet:ident $(($of:expr))?)*;)*) => {
+    ($dollar:tt $($(#[$doc:meta])* $constant:ident = $name:tt $(, $facet:ident $(($of:expr))?)*;)*) => {
         /// The kinds of all compile errors.
         pub mod error {
             use crate::code::{ErrorKind, Facet, Lack};
@@ -104,10 +104,17 @@ macro_rules! errors {
         }
         /// The names of all compile errors, in the order of the table.
         pub const ERRORS: &[&str] = &[$($name),*];
+        /// Calls a macro with the names of all compile errors.
+        #[macro_export]
+        macro_rules! for_error_names {
+            ($dollar called:ident) => {
+                $dollar called! { $($name,)* }
+            };
+        }
     };
 }
 
-errors! {
+errors! { $
     // Characters and tokens.
     /// A character that GLSL does not have.
     INVALID_CHARACTER = "invalid-character", syntax, is(Facet::Reads);
