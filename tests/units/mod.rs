@@ -8,6 +8,8 @@ mod formatter;
 mod inactive;
 mod kinds;
 mod linking;
+mod playback;
+mod refactoring;
 mod scripts;
 mod sections;
 mod versions;

@@ -17,8 +17,6 @@ mod proposal;
 #[cfg(test)]
 mod shown_tests;
 mod shown_value;
-#[cfg(test)]
-mod tests;
 mod uniform;
 mod upgrade;
 mod verify;

@@ -1,15 +1,24 @@
 //! Values that are drawn.
 
-use super::tests::marked;
 use super::*;
 use crate::run::image_of;
 use crate::symbol::Symbol;
-use shaderlint_engine::Analysis;
 use shaderlint_engine::inputs::{Moment, Scene};
+use shaderlint_engine::{Analysis, Options};
 use shaderlint_exec::{CompileOptions, draw};
 use shaderlint_play::RenderedImage;
 use shaderlint_project::NoFiles;
 use shaderlint_text::LineIndex;
+use std::sync::Arc;
+
+/// The document of a text without its marks, and the selection.
+fn marked(name: &str, text: &str) -> (Document, Span) {
+    let plain = text.replace(['«', '»', '|'], "");
+    let start = text.find(['«', '|']).expect("a mark");
+    let end = text.find('»').map_or(start, |end| end - '«'.len_utf8());
+    let document = Document::new(name, plain.into(), Arc::new(Options::default()), &NoFiles);
+    (document, Span::new(start as u32, end as u32))
+}
 
 /// The colours of a shader in a small image.
 fn colors(analysis: &Analysis) -> Vec<[f32; 3]> {

@@ -9,8 +9,6 @@ mod sound;
 mod stand_in;
 mod still;
 mod target;
-#[cfg(test)]
-mod tests;
 
 use super::image::RenderedImage;
 use channel::Channel;

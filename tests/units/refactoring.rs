@@ -1,15 +1,15 @@
 //! Refactorings of a selection `«...»`, or at a position `|`.
 
-use super::*;
-use shaderlint_engine::Options;
-use shaderlint_project::NoFiles;
-use shaderlint_text::apply_edits;
+use shaderlint::engine::Options;
+use shaderlint::ide::{Document, refactorings};
+use shaderlint::project::NoFiles;
+use shaderlint::text::{Span, apply_edits};
 use std::sync::Arc;
 
 const HEAD: &str = "#version 300 es\nprecision highp float;\nout vec4 color;\nuniform float time;\nuniform sampler2D image;\n";
 
 /// The document of a text without its marks, and the selection.
-pub(super) fn marked(name: &str, text: &str) -> (Document, Span) {
+fn marked(name: &str, text: &str) -> (Document, Span) {
     let plain = text.replace(['«', '»', '|'], "");
     let start = text.find(['«', '|']).expect("a mark");
     let end = text.find('»').map_or(start, |end| end - '«'.len_utf8());
@@ -68,7 +68,7 @@ fn in_main(body: &str) -> String {
 
 #[test]
 fn unsuitable_selections_are_not_refactored() {
-    let cases = include_str!("none.txt").lines();
+    let cases = include_str!("../../src/ide/refactor/none.txt").lines();
     for case in cases.filter(|case| !case.starts_with("# ")) {
         let (text, words) = case.split_once(" ‖ ").unwrap();
         let text = text.replace('↵', "\n");
@@ -81,7 +81,7 @@ fn unsuitable_selections_are_not_refactored() {
 
 #[test]
 fn selections_are_refactored() {
-    let cases = include_str!("cases.txt").lines();
+    let cases = include_str!("../../src/ide/refactor/cases.txt").lines();
     for case in cases.filter(|case| !case.starts_with("# ")) {
         let (before, rest) = case.split_once(" ‖ ").unwrap();
         let (title, after) = rest.split_once(" ⇒ ").unwrap();

@@ -1,8 +1,10 @@
 //! Tests of small projects, in which a few pixels show whether channels are right.
 
-use super::*;
 use serde_json::{Value, json};
-use shaderlint_project::add_stand_ins;
+use shaderlint::engine::inputs::{Button, Moment, Mouse};
+use shaderlint::exec::CompileOptions;
+use shaderlint::play::{PlaybackOptions, PlaybackProblem, Player};
+use shaderlint::project::{Project, add_stand_ins};
 
 const BUFFERS: [&str; 4] = ["4dXGR8", "XsXGR8", "4sXGR8", "XdfGR8"];
 
@@ -110,9 +112,9 @@ fn uniforms_have_the_values_of_the_player() {
     let passes = [image(code, &inputs), buffer(0, COUNT, &[])];
     let mut player = player(&passes, [8, 4]).unwrap();
     let moment = Moment {
-        mouse: Some(shaderlint_engine::inputs::Mouse {
+        mouse: Some(Mouse {
             at: [3.5, 2.0],
-            button: shaderlint_engine::inputs::Button::Down,
+            button: Button::Down,
         }),
         ..Moment::at(0.5)
     };
