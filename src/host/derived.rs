@@ -3,66 +3,21 @@
 
 use super::meaning::{Feed, FeedRow, Meanings, is_one_name};
 
-/// How a value follows from another one: the value, its type, the other value, its type, and the
-/// expression, in which `{}` is the other value.
-const DERIVED: &[(Feed, &str, Feed, &str, &str)] = {
-    use Feed::*;
-    &[
-        (Milliseconds, "float", Time, "float", "1000.0 * {}"),
-        (Time, "float", Milliseconds, "float", "{} / 1000.0"),
-        (FrameFromOne, "int", Frame, "int", "{} + 1"),
-        (Frame, "int", FrameFromOne, "int", "{} - 1"),
-        (
-            Date,
-            "vec4",
-            DateFromOne,
-            "vec4",
-            "{} - vec4(0.0, 1.0, 0.0, 0.0)",
-        ),
-        (
-            DateFromOne,
-            "vec4",
-            Date,
-            "vec4",
-            "{} + vec4(0.0, 1.0, 0.0, 0.0)",
-        ),
-        (Width, "float", Resolution, "vec2", "{}.x"),
-        (Height, "float", Resolution, "vec2", "{}.y"),
-        (Aspect, "float", Resolution, "vec2", "{}.x / {}.y"),
-        (Pixel, "vec2", Resolution, "vec2", "1.0 / {}"),
-        (
-            ResolutionAndPixel,
-            "vec4",
-            Resolution,
-            "vec2",
-            "vec4({}, 1.0 / {})",
-        ),
-        (
-            PointerUnit,
-            "vec2",
-            PointerUnitDown,
-            "vec2",
-            "vec2({}.x, 1.0 - {}.y)",
-        ),
-        (
-            PointerUnitDown,
-            "vec2",
-            PointerUnit,
-            "vec2",
-            "vec2({}.x, 1.0 - {}.y)",
-        ),
-        (PointerSigned, "vec2", PointerUnit, "vec2", "2.0 * {} - 1.0"),
-    ]
-};
+/// How a value follows from another one, in lines `VALUE TYPE = OTHER TYPE: EXPRESSION`; `{}` in the
+/// expression is the other value.
+const DERIVED: &str = include_str!("derivations.txt");
 
 impl Meanings {
     /// A value of a type as an expression of the names that the host sets; `None` if they do not
     /// determine it.
     pub fn expression(&self, feed: Feed, ty: &str) -> Option<String> {
         self.direct(feed, ty).or_else(|| {
-            let mut ways = DERIVED.iter().filter(|way| way.0 == feed);
-            ways.find_map(|(_, own, from, other, form)| {
-                let value = self.direct(*from, other)?;
+            DERIVED.lines().find_map(|way| {
+                let (value, other) = way.split_once(" = ")?;
+                let own = value.strip_prefix(feed.name())?.strip_prefix(' ')?;
+                let (other, form) = other.split_once(": ")?;
+                let (from, other) = other.split_once(' ')?;
+                let value = self.direct(Feed::named(from).ok()?, other)?;
                 converted(&form.replace("{}", &value), own, feed, ty)
             })
         })

@@ -9,32 +9,43 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 macro_rules! feeds {
-    ($($variant:ident $name:literal $description:literal,)*) => {
-        /// The value of a uniform. The player implements each (`player/program.js`).
+    ($(#[$doc:meta])* $feeds:ident: $($variant:ident $name:literal $description:literal,)*) => {
+        $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
         #[serde(rename_all = "camelCase")]
-        pub enum Feed {
+        pub enum $feeds {
             $(#[doc = $description] $variant,)*
         }
 
-        impl Feed {
+        impl $feeds {
             /// All variants.
-            pub const ALL: &[Feed] = &[$(Feed::$variant),*];
+            pub const ALL: &[$feeds] = &[$($feeds::$variant),*];
 
             /// The name in host files.
             pub fn name(self) -> &'static str {
-                match self { $(Feed::$variant => $name,)* }
+                match self { $($feeds::$variant => $name,)* }
             }
 
             /// A description of the value.
             pub fn description(self) -> &'static str {
-                match self { $(Feed::$variant => $description,)* }
+                match self { $($feeds::$variant => $description,)* }
+            }
+
+            /// The variant with a name in host files.
+            pub(super) fn named(name: &str) -> Result<$feeds, String> {
+                let found = $feeds::ALL.iter().copied().find(|feed| feed.name() == name);
+                found.ok_or_else(|| {
+                    let names: Vec<&str> = $feeds::ALL.iter().map(|feed| feed.name()).collect();
+                    none_of(name, &names)
+                })
             }
         }
     };
 }
 
 feeds! {
+    /// The value of a uniform. The player implements each (`player/program.js`).
+    Feed:
     Time "time" "seconds since the start",
     Milliseconds "milliseconds" "milliseconds since the start",
     Delta "delta" "seconds since the previous frame",
@@ -78,62 +89,16 @@ feeds! {
     Nothing "nothing" "zeros",
 }
 
-/// The input of a sampler.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum TextureFeed {
-    /// A file provided by the user.
-    File,
-    /// The output of the previous frame.
-    LastFrame,
-    /// Spectrum and waveform of music.
-    Music,
-    /// The sum of the spectra since the start.
-    MusicSum,
-    /// The output of the buffer with this name.
-    Buffer,
-    /// The input of the pass's channel with this number.
-    Channel,
-    /// The screen, window or widget that the host draws through the shader.
-    Screen,
-}
-
-/// The inputs of samplers, with the name in host files and a description.
-const TEXTURES: [(&str, TextureFeed, &str); 7] = [
-    ("file", TextureFeed::File, "a file provided by the user"),
-    ("last-frame", TextureFeed::LastFrame, "the previous frame"),
-    (
-        "music",
-        TextureFeed::Music,
-        "spectrum and waveform of music",
-    ),
-    (
-        "music-sum",
-        TextureFeed::MusicSum,
-        "sum of the spectra since the start",
-    ),
-    (
-        "buffer",
-        TextureFeed::Buffer,
-        "output of the buffer with this name",
-    ),
-    (
-        "channel",
-        TextureFeed::Channel,
-        "input of the channel with this number",
-    ),
-    (
-        "screen",
-        TextureFeed::Screen,
-        "what the host shows: a file provided by the user, or a page of text",
-    ),
-];
-
-impl TextureFeed {
-    /// A description of the input.
-    pub fn description(self) -> &'static str {
-        let row = TEXTURES.iter().find(|(_, feed, _)| *feed == self);
-        row.map_or("", |(.., description)| description)
-    }
+feeds! {
+    /// The input of a sampler.
+    TextureFeed:
+    File "file" "a file provided by the user",
+    LastFrame "last-frame" "the previous frame",
+    Music "music" "spectrum and waveform of music",
+    MusicSum "music-sum" "sum of the spectra since the start",
+    Buffer "buffer" "output of the buffer with this name",
+    Channel "channel" "input of the channel with this number",
+    Screen "screen" "what the host shows: a file provided by the user, or a page of text",
 }
 
 /// Weight of a name that indicates no host.
@@ -364,11 +329,7 @@ impl Meanings {
         words: impl Iterator<Item = &'w str>,
         (weight, is_declared): (u8, bool),
     ) -> Result<(), String> {
-        let feed = Feed::ALL.iter().copied().find(|f| f.name() == given);
-        let Some(feed) = feed else {
-            let names: Vec<&str> = Feed::ALL.iter().map(|f| f.name()).collect();
-            return Err(none_of(given, &names));
-        };
+        let feed = Feed::named(given)?;
         let mut row = FeedRow {
             name: declared.name.to_string(),
             types: vec![declared.ty],
@@ -400,12 +361,10 @@ impl Meanings {
         words: impl Iterator<Item = &'w str>,
         (weight, is_declared): (u8, bool),
     ) -> Result<(), String> {
-        let Some((_, texture, _)) = TEXTURES.iter().find(|(name, ..)| *name == given) else {
-            return Err(none_of(given, &TEXTURES.map(|(name, ..)| name)));
-        };
+        let texture = TextureFeed::named(given)?;
         let mut row = TextureRow {
             name: declared.name.to_string(),
-            texture: *texture,
+            texture,
             filter: "linear",
             wrap: "clamp",
             top_first: false,
