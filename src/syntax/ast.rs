@@ -157,13 +157,56 @@ pub enum PostfixOp {
     Decrement,
 }
 
-/// Binary operators.
-#[expect(missing_docs, reason = "the variants are standard terms")]
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-#[rustfmt::skip]
-pub enum BinaryOp {
-    Mul, Div, Rem, Add, Sub, ShiftLeft, ShiftRight, Less, Greater, LessEqual, GreaterEqual, Equal,
-    NotEqual, BitAnd, BitXor, BitOr, And, Xor, Or,
+macro_rules! binary_operators {
+    ($($variant:ident $token:ident $symbol:literal $precedence:literal,)*) => {
+        /// Binary operators.
+        #[expect(missing_docs, reason = "the variants are standard terms")]
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+        pub enum BinaryOp { $($variant),* }
+
+        impl BinaryOp {
+            /// The operator in source form.
+            pub const fn symbol(self) -> &'static str {
+                match self { $(BinaryOp::$variant => $symbol,)* }
+            }
+
+            /// The binary operator that a token is.
+            pub const fn of(kind: TokenKind) -> Option<BinaryOp> {
+                match kind {
+                    $(TokenKind::$token => Some(BinaryOp::$variant),)*
+                    _ => None,
+                }
+            }
+
+            /// How tightly the operator binds, from 4; a higher number binds more tightly (GLSL ES
+            /// 3.00 section 5.1). Comma, assignment and `? :` bind less.
+            pub const fn precedence(self) -> u8 {
+                match self { $(BinaryOp::$variant => $precedence,)* }
+            }
+        }
+    };
+}
+
+binary_operators! {
+    Mul Star "*" 14,
+    Div Slash "/" 14,
+    Rem Percent "%" 14,
+    Add Plus "+" 13,
+    Sub Minus "-" 13,
+    ShiftLeft ShiftLeft "<<" 12,
+    ShiftRight ShiftRight ">>" 12,
+    Less Less "<" 11,
+    Greater Greater ">" 11,
+    LessEqual LessEqual "<=" 11,
+    GreaterEqual GreaterEqual ">=" 11,
+    Equal EqualEqual "==" 10,
+    NotEqual NotEqual "!=" 10,
+    BitAnd And "&" 9,
+    BitXor Xor "^" 8,
+    BitOr Or "|" 7,
+    And AndAnd "&&" 6,
+    Xor XorXor "^^" 5,
+    Or OrOr "||" 4,
 }
 
 impl UnaryOp {
@@ -196,77 +239,6 @@ impl PostfixOp {
 }
 
 impl BinaryOp {
-    /// The operator in source form.
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            BinaryOp::Mul => "*",
-            BinaryOp::Div => "/",
-            BinaryOp::Rem => "%",
-            BinaryOp::Add => "+",
-            BinaryOp::Sub => "-",
-            BinaryOp::ShiftLeft => "<<",
-            BinaryOp::ShiftRight => ">>",
-            BinaryOp::Less => "<",
-            BinaryOp::Greater => ">",
-            BinaryOp::LessEqual => "<=",
-            BinaryOp::GreaterEqual => ">=",
-            BinaryOp::Equal => "==",
-            BinaryOp::NotEqual => "!=",
-            BinaryOp::BitAnd => "&",
-            BinaryOp::BitXor => "^",
-            BinaryOp::BitOr => "|",
-            BinaryOp::And => "&&",
-            BinaryOp::Xor => "^^",
-            BinaryOp::Or => "||",
-        }
-    }
-
-    /// The binary operator that a token is.
-    pub const fn of(kind: TokenKind) -> Option<BinaryOp> {
-        use TokenKind as T;
-        Some(match kind {
-            T::OrOr => BinaryOp::Or,
-            T::XorXor => BinaryOp::Xor,
-            T::AndAnd => BinaryOp::And,
-            T::Or => BinaryOp::BitOr,
-            T::Xor => BinaryOp::BitXor,
-            T::And => BinaryOp::BitAnd,
-            T::EqualEqual => BinaryOp::Equal,
-            T::NotEqual => BinaryOp::NotEqual,
-            T::Less => BinaryOp::Less,
-            T::Greater => BinaryOp::Greater,
-            T::LessEqual => BinaryOp::LessEqual,
-            T::GreaterEqual => BinaryOp::GreaterEqual,
-            T::ShiftLeft => BinaryOp::ShiftLeft,
-            T::ShiftRight => BinaryOp::ShiftRight,
-            T::Plus => BinaryOp::Add,
-            T::Minus => BinaryOp::Sub,
-            T::Star => BinaryOp::Mul,
-            T::Slash => BinaryOp::Div,
-            T::Percent => BinaryOp::Rem,
-            _ => return None,
-        })
-    }
-
-    /// How tightly the operator binds, from 4; a higher number binds more tightly (GLSL ES 3.00
-    /// section 5.1). Comma, assignment and `? :` bind less.
-    pub const fn precedence(self) -> u8 {
-        use BinaryOp::*;
-        match self {
-            Or => 4,
-            Xor => 5,
-            And => 6,
-            BitOr => 7,
-            BitXor => 8,
-            BitAnd => 9,
-            Equal | NotEqual => 10,
-            Less | Greater | LessEqual | GreaterEqual => 11,
-            ShiftLeft | ShiftRight => 12,
-            Add | Sub => 13,
-            Mul | Div | Rem => 14,
-        }
-    }
-
     /// Whether this is a relational or equality operator, with a `bool` result.
     pub const fn compares(self) -> bool {
         use BinaryOp::*;
