@@ -6,48 +6,22 @@
 
 use super::Parser;
 use crate::Search;
-use crate::names::{Name, TypeWord};
+use crate::names::{Name, TypeWord, Version, WordClass, classify};
 use crate::set;
 use crate::token::{Token, TokenKind};
 use shaderlint_diagnostic::{Diagnostic, Fix, Subject, error};
 use shaderlint_text::{Edit, Role, Span};
 
 /// Candidates for a missing type, most frequent first.
-pub(super) const VALUE_TYPES: &[(&str, TypeWord)] = &[
-    ("float", TypeWord::Float),
-    ("vec3", TypeWord::Vec3),
-    ("vec2", TypeWord::Vec2),
-    ("vec4", TypeWord::Vec4),
-    ("int", TypeWord::Int),
-    ("bool", TypeWord::Bool),
-    ("mat2", TypeWord::Mat2),
-    ("mat3", TypeWord::Mat3),
-    ("ivec2", TypeWord::Ivec2),
-    ("uint", TypeWord::Uint),
-];
+pub(super) const VALUE_TYPES: [TypeWord; 10] = {
+    use TypeWord::*;
+    [Float, Vec3, Vec2, Vec4, Int, Bool, Mat2, Mat3, Ivec2, Uint]
+};
 
 /// Keywords that a misspelled name is compared with.
-pub(super) const KEYWORDS: &[(&str, TokenKind)] = &[
-    ("return", TokenKind::Return),
-    ("while", TokenKind::While),
-    ("else", TokenKind::Else),
-    ("break", TokenKind::Break),
-    ("continue", TokenKind::Continue),
-    ("discard", TokenKind::Discard),
-    ("switch", TokenKind::Switch),
-    ("case", TokenKind::Case),
-    ("const", TokenKind::Const),
-    ("struct", TokenKind::Struct),
-    ("uniform", TokenKind::Uniform),
-    ("void", TokenKind::Void),
-    ("default", TokenKind::Default),
-    ("if", TokenKind::If),
-    ("for", TokenKind::For),
-    ("do", TokenKind::Do),
-    ("in", TokenKind::In),
-    ("out", TokenKind::Out),
-    ("inout", TokenKind::Inout),
-];
+const KEYWORDS: &str = "\
+    return while else break continue discard switch case const struct uniform void default if for \
+    do in out inout";
 
 /// An edit of the token list at one index.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -152,13 +126,11 @@ pub(super) fn symbol(kind: TokenKind, value: u32) -> &'static str {
         T::Star => "*",
         T::Plus => "+",
         T::Dot => ".",
-        T::Void => "void",
         T::Type => VALUE_TYPES
-            .iter()
-            .find(|(_, word)| *word as u32 == value)
-            .map_or("float", |(text, _)| text),
-        _ => KEYWORDS
-            .iter()
+            .into_iter()
+            .find(|word| *word as u32 == value)
+            .map_or("float", TypeWord::name),
+        _ => keywords()
             .find(|(_, keyword)| *keyword == kind)
             .map_or("", |(text, _)| text),
     }
@@ -405,8 +377,17 @@ impl Parser<'_> {
 
 /// The keyword that a word is probably a typo of.
 pub fn keyword_near(word: &str) -> Option<(&'static str, TokenKind)> {
-    let found = KEYWORDS.iter().find(|(keyword, _)| is_typo(word, keyword));
-    found.copied()
+    keywords().find(|(keyword, _)| is_typo(word, keyword))
+}
+
+/// The [`KEYWORDS`] with their kinds.
+fn keywords() -> impl Iterator<Item = (&'static str, TokenKind)> {
+    KEYWORDS.split(' ').filter_map(|word| {
+        let WordClass::Keyword(kind) = classify(word, Version::Es300) else {
+            return None;
+        };
+        Some((word, kind))
+    })
 }
 
 /// Whether two words have the same letters, perhaps in another order.

@@ -455,8 +455,8 @@ impl<'p, 'a> ChangeCollector<'p, 'a> {
             (_, true) => {}
             _ => return,
         }
-        for (_, word) in VALUE_TYPES {
-            self.add(at, TokenChange::Insert(T::Type, *word as u32), 2);
+        for word in VALUE_TYPES {
+            self.add(at, TokenChange::Insert(T::Type, word as u32), 2);
         }
     }
 
