@@ -5,7 +5,10 @@ use super::lower::{Initialisers, NagaLowerer};
 use super::stored::Major;
 use super::target::{Res, Value};
 use super::types::{Sink, compose};
-use ::naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, Span};
+use ::naga::{
+    AddressSpace, Constant, Expression, GlobalVariable, Handle, MemoryDecorations, ResourceBinding,
+    Span,
+};
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Constant as Known, Stage, Storage, Type, VariableId};
 
@@ -54,10 +57,21 @@ impl<'p> NagaLowerer<'p> {
         name: &str,
         ty: Handle<::naga::Type>,
     ) -> Handle<GlobalVariable> {
+        self.global_variable(name, ty, AddressSpace::Private, None)
+    }
+
+    /// Declares a variable of the module.
+    pub(super) fn global_variable(
+        &mut self,
+        name: &str,
+        ty: Handle<::naga::Type>,
+        space: AddressSpace,
+        binding: Option<ResourceBinding>,
+    ) -> Handle<GlobalVariable> {
         let variable = GlobalVariable {
             name: Some(name.to_string()),
-            space: AddressSpace::Private,
-            binding: None,
+            space,
+            binding,
             ty,
             init: None,
             memory_decorations: MemoryDecorations::empty(),

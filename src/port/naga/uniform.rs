@@ -8,10 +8,7 @@ use super::lower::NagaLowerer;
 use super::stored::{Major, Packing, Stored, StoredField, StoredPlace, StoredRecord};
 use super::target::{FirstRow, Res, TargetLanguage, Value};
 use super::types::{Sink, image};
-use ::naga::{
-    AddressSpace, Expression, GlobalVariable, Handle, MemoryDecorations, ResourceBinding, Span,
-    TypeInner,
-};
+use ::naga::{AddressSpace, Expression, GlobalVariable, Handle, ResourceBinding, TypeInner};
 use rustc_hash::FxHashMap;
 use shaderlint_ir::Place;
 use shaderlint_semantic::{Base, Sampler, Stage, Storage, Type, Variable, VariableId};
@@ -330,17 +327,7 @@ impl<'p> NagaLowerer<'p> {
         binding: u32,
     ) -> Handle<GlobalVariable> {
         let group = self.group();
-        let variable = GlobalVariable {
-            name: Some(name.to_string()),
-            space,
-            binding: Some(ResourceBinding { group, binding }),
-            ty,
-            init: None,
-            memory_decorations: MemoryDecorations::empty(),
-        };
-        self.module
-            .global_variables
-            .append(variable, Span::UNDEFINED)
+        self.global_variable(name, ty, space, Some(ResourceBinding { group, binding }))
     }
 }
 
