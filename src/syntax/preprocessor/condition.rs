@@ -30,16 +30,8 @@ pub(super) enum ConditionProblem {
 ///
 /// ` may contain undefined names and divisions by zero, as in the browser.
 pub(super) fn evaluate(pieces: &[Piece]) -> Result<i32, ConditionProblem> {
-    if pieces.is_empty() {
-        return Err(ConditionProblem::Empty);
-    }
-    let mut parser = ConditionParser {
-        pieces,
-        at: 0,
-        skipping: 0,
-    };
-    let value = parser.binary(0, 0)?;
-    match parser.peek() {
+    let (value, used) = evaluate_prefix(pieces)?;
+    match pieces.get(used) {
         None => Ok(value),
         Some(piece) => Err(ConditionProblem::Unexpected(piece.token.span)),
     }
