@@ -83,21 +83,8 @@ fn significant(text: &str) -> Vec<(Kind, Range<usize>)> {
 }
 
 /// Keywords that start a declaration that is or may be at global scope.
-const GLOBAL: &[&str] = &[
-    "struct",
-    "uniform",
-    "in",
-    "out",
-    "varying",
-    "attribute",
-    "layout",
-    "precision",
-    "const",
-    "flat",
-    "centroid",
-    "smooth",
-    "invariant",
-];
+const GLOBAL: &str = "\
+    struct uniform in out varying attribute layout precision const flat centroid smooth invariant";
 /// Keywords that start a statement other than a declaration.
 const STATEMENT: &[&str] = &[
     "return", "else", "if", "for", "while", "do", "switch", "case", "default", "break", "continue",
@@ -138,7 +125,7 @@ impl Splitter<'_> {
         let names = self.kind(first) == Some(Kind::Word)
             && self.kind(second) == Some(Kind::Word)
             && !STATEMENT.contains(&word);
-        let is_global = GLOBAL.contains(&word);
+        let is_global = GLOBAL.split(' ').any(|keyword| keyword == word);
         let calls = names && self.kind(third) == Some(Kind::Open) && self.word(third) == "(";
         self.at = first;
         let ends_with_brace = self.pass_statement();

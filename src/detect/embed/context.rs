@@ -37,7 +37,8 @@ impl LiteralContext {
             is_introduced: read.is_introduced(literal),
             names_shader: has(&SHADERS) || call == Some("shaderSource"),
             stage: NamedStage::of([target, call]),
-            is_pattern: call.is_some_and(|c| PATTERNS.contains(&c)) || read.is_compared(root),
+            is_pattern: call.is_some_and(|c| PATTERNS.split(' ').any(|name| name == c))
+                || read.is_compared(root),
             is_message: call.is_some_and(|c| c.ends_with("Error") || MESSAGES.contains(&c)),
             target: target.map(str::to_string),
         }
@@ -68,21 +69,9 @@ const SHADERS: [&str; 13] = [
     "webgl", "chunk",
 ];
 /// String methods that search or replace.
-const PATTERNS: [&str; 13] = [
-    "replace",
-    "replaceAll",
-    "indexOf",
-    "lastIndexOf",
-    "includes",
-    "startsWith",
-    "endsWith",
-    "split",
-    "match",
-    "matchAll",
-    "search",
-    "test",
-    "RegExp",
-];
+const PATTERNS: &str = "\
+    replace replaceAll indexOf lastIndexOf includes startsWith endsWith split match matchAll \
+    search test RegExp";
 /// Calls that show a text to a person.
 const MESSAGES: [&str; 8] = [
     "log", "warn", "error", "info", "debug", "assert", "describe", "alert",

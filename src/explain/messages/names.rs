@@ -13,22 +13,9 @@ const MAX_BRACKETED: TokenId = 200;
 const MAX_NAME: usize = 1_024;
 
 /// Names that shaders give their output.
-pub(super) const OUTPUT_NAMES: &[&str] = &[
-    "fragColor",
-    "FragColor",
-    "outColor",
-    "out_Color",
-    "out_color",
-    "outputColor",
-    "fragmentColor",
-    "o_color",
-    "oColor",
-    "color_out",
-    "pc_fragColor",
-    "out_FragColor",
-    "myOutputColor",
-    "finalColor",
-];
+pub(super) const OUTPUT_NAMES: &str = "\
+    fragColor FragColor outColor out_Color out_color outputColor fragmentColor o_color oColor \
+    color_out pc_fragColor out_FragColor myOutputColor finalColor";
 
 /// Whether a name is a typo of `gl_FragColor`.
 fn is_near_output(name: &str) -> bool {
@@ -300,7 +287,10 @@ impl ExplainContext<'_> {
             "fragCoord" if is_fragment && !self.is_called_by_host() => {
                 Some(self.fragcoord_in_main(token))
             }
-            _ if is_fragment && OUTPUT_NAMES.contains(&text) && self.is_assigned(token) => {
+            _ if is_fragment
+                && OUTPUT_NAMES.split(' ').any(|name| name == text)
+                && self.is_assigned(token) =>
+            {
                 Some(self.missing_output(text, token))
             }
             _ => None,

@@ -208,32 +208,20 @@ pub(super) fn without_own(text: &str, clues: &Clues) -> String {
 
 /// The version and all default precisions.
 pub(super) fn defaults(version: Version) -> String {
-    let (head, types): (_, &[&str]) = match version {
-        Version::Es100 => ("", &["float", "int"]),
-        Version::Es300 => ("#version 300 es\n", &TYPES),
+    let (head, types) = match version {
+        Version::Es100 => ("", "float int"),
+        Version::Es300 => ("#version 300 es\n", TYPES),
     };
-    let lines = types.iter().map(|ty| format!("precision highp {ty};\n"));
+    let lines = types
+        .split(' ')
+        .map(|ty| format!("precision highp {ty};\n"));
     head.to_string() + &lines.collect::<String>()
 }
 
 /// The types that need a default precision in GLSL ES 3.00.
-const TYPES: [&str; 15] = [
-    "float",
-    "int",
-    "sampler2D",
-    "samplerCube",
-    "sampler3D",
-    "sampler2DArray",
-    "sampler2DShadow",
-    "samplerCubeShadow",
-    "sampler2DArrayShadow",
-    "isampler2D",
-    "isampler3D",
-    "isamplerCube",
-    "usampler2D",
-    "usampler3D",
-    "usamplerCube",
-];
+const TYPES: &str = "\
+    float int sampler2D samplerCube sampler3D sampler2DArray sampler2DShadow samplerCubeShadow \
+    sampler2DArrayShadow isampler2D isampler3D isamplerCube usampler2D usampler3D usamplerCube";
 
 /// The text before a text that is compiled as GLSL ES 3.00: the defaults, and macros for older
 /// syntax.

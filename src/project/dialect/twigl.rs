@@ -79,7 +79,7 @@ fn plan(clues: &Clues) -> Plan {
     for name in ["b", "b0", "b1"].into_iter().filter(|n| clues.is_free(n)) {
         host.push_str(&format!("uniform sampler2D {name};\n"));
     }
-    let helpers = match HELPER_NAMES.iter().any(|n| clues.is_free(n)) {
+    let helpers = match HELPER_NAMES.split(' ').any(|n| clues.is_free(n)) {
         true => HELPERS,
         false => "",
     };
@@ -111,19 +111,6 @@ fn plan(clues: &Clues) -> Plan {
 }
 
 /// The helper functions that only `geekest` has.
-const HELPER_NAMES: [&str; 14] = [
-    "snoise2D",
-    "snoise3D",
-    "snoise4D",
-    "fsnoise",
-    "fsnoiseDigits",
-    "hsv",
-    "rotate2D",
-    "rotate3D",
-    "PI",
-    "PI2",
-    "mod289",
-    "permute",
-    "taylorInvSqrt",
-    "F4",
-];
+const HELPER_NAMES: &str = "\
+    snoise2D snoise3D snoise4D fsnoise fsnoiseDigits hsv rotate2D rotate3D PI PI2 mod289 permute \
+    taylorInvSqrt F4";

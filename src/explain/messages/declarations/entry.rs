@@ -206,9 +206,9 @@ impl ExplainContext<'_> {
             let is_out = qualifiers.any(|q| q.kind == QualifierKind::Out);
             (!is_out && written(param.ty) == "vec2").then(|| arguments.push("gl_FragCoord.xy"))?;
         }
-        let is_free = |name: &&&str| self.names.get(name).is_none();
+        let is_free = |name: &&str| self.names.get(name).is_none();
         let name = ["shade", "shadePixel", "colorOfPixel"]
-            .iter()
+            .into_iter()
             .find(is_free)?;
         let call = format!("{name}({})", arguments.join(", "));
         let value = match written(function.ty) {
@@ -219,8 +219,8 @@ impl ExplainContext<'_> {
         let (output, declared) = match self.output_name() {
             Some(name) => (name, ""),
             None => {
-                let name = OUTPUT_NAMES.iter().find(is_free)?;
-                (*name, *name)
+                let name = OUTPUT_NAMES.split(' ').find(is_free)?;
+                (name, name)
             }
         };
         let declared = match declared {

@@ -10,29 +10,9 @@ const MAX_WORDS: usize = 4;
 /// keywords grow exponentially.
 const MAX_PARTS: usize = 4;
 /// Keywords that another word or a number follows.
-const BEFORE_A_WORD: &[&str] = &[
-    "return",
-    "else",
-    "case",
-    "const",
-    "struct",
-    "uniform",
-    "varying",
-    "attribute",
-    "inout",
-    "in",
-    "out",
-    "flat",
-    "smooth",
-    "centroid",
-    "highp",
-    "mediump",
-    "lowp",
-    "precision",
-    "void",
-    "invariant",
-    "do",
-];
+const BEFORE_A_WORD: &str = "\
+    return else case const struct uniform varying attribute inout in out flat smooth centroid \
+    highp mediump lowp precision void invariant do";
 
 impl FaultyShader<'_> {
     pub(super) fn spaces(&self, line: &FaultyLine, all: &mut Vec<RepairCandidate>) {
@@ -83,7 +63,7 @@ fn splits(word: &str, is_directive: bool, parts: usize) -> Vec<Vec<&str>> {
         .map(|t| -> &'static str { t.name() });
     let mut prefixes: Vec<&str> = match is_directive {
         true => DIRECTIVES.to_vec(),
-        false => BEFORE_A_WORD.iter().copied().chain(types).collect(),
+        false => BEFORE_A_WORD.split(' ').chain(types).collect(),
     };
     prefixes.sort_by_key(|p| std::cmp::Reverse(p.len()));
     for prefix in prefixes {
