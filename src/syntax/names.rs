@@ -9,12 +9,22 @@ use std::hash::Hasher;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Name(pub u32);
 
-/// A word that names a built-in type.
-#[expect(missing_docs, reason = "the variants are standard terms")]
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-#[repr(u8)]
-#[rustfmt::skip]
-pub enum TypeWord {
+macro_rules! type_words {
+    ($count:literal: $($word:ident,)*) => {
+        /// A word that names a built-in type.
+        #[expect(missing_docs, reason = "the variants are standard terms")]
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+        #[repr(u8)]
+        pub enum TypeWord { $($word),* }
+
+        impl TypeWord {
+            /// All type words, indexed by discriminant.
+            pub const ALL: [TypeWord; $count] = [$(TypeWord::$word),*];
+        }
+    };
+}
+
+type_words! { 40:
     Bool, Int, Uint, Float,
     Vec2, Vec3, Vec4, Bvec2, Bvec3, Bvec4, Ivec2, Ivec3, Ivec4, Uvec2, Uvec3, Uvec4,
     Mat2, Mat2x3, Mat2x4, Mat3x2, Mat3, Mat3x4, Mat4x2, Mat4x3, Mat4,
@@ -25,21 +35,6 @@ pub enum TypeWord {
 }
 
 impl TypeWord {
-    /// All type words, indexed by discriminant.
-    #[rustfmt::skip]
-    pub const ALL: [TypeWord; 40] = {
-        use TypeWord::*;
-        [
-            Bool, Int, Uint, Float,
-            Vec2, Vec3, Vec4, Bvec2, Bvec3, Bvec4, Ivec2, Ivec3, Ivec4, Uvec2, Uvec3, Uvec4,
-            Mat2, Mat2x3, Mat2x4, Mat3x2, Mat3, Mat3x4, Mat4x2, Mat4x3, Mat4,
-            Sampler2D, Sampler3D, SamplerCube, Sampler2DArray,
-            Isampler2D, Isampler3D, IsamplerCube, Isampler2DArray,
-            Usampler2D, Usampler3D, UsamplerCube, Usampler2DArray,
-            Sampler2DShadow, SamplerCubeShadow, Sampler2DArrayShadow,
-        ]
-    };
-
     /// The built-in type named by a word of GLSL ES 3.00.
     pub const fn named(word: &str) -> Option<TypeWord> {
         match classify(word, Version::Es300) {
