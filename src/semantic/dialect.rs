@@ -51,28 +51,17 @@ pub const CHUNK_OUTPUT: &str =
 /// Declarations added before a shader fragment, after its `#version`: default precisions and, as
 /// hosts that compile as GLSL ES 3.00 do, macros for the names of 1.00.
 pub fn chunk_declarations(version: Version, stage: Stage) -> String {
-    const SAMPLERS: [&str; 2] = ["sampler2D", "samplerCube"];
-    const NEW_SAMPLERS: [&str; 13] = [
-        "sampler3D",
-        "sampler2DArray",
-        "isampler2D",
-        "isampler3D",
-        "isamplerCube",
-        "isampler2DArray",
-        "usampler2D",
-        "usampler3D",
-        "usamplerCube",
-        "usampler2DArray",
-        "sampler2DShadow",
-        "samplerCubeShadow",
-        "sampler2DArrayShadow",
-    ];
+    const TYPES: &str = "float int sampler2D samplerCube";
+    const NEW_SAMPLERS: &str = "\
+        sampler3D sampler2DArray isampler2D isampler3D isamplerCube isampler2DArray usampler2D \
+        usampler3D usamplerCube usampler2DArray sampler2DShadow samplerCubeShadow \
+        sampler2DArrayShadow";
     let mut text = String::new();
-    let mut samplers = SAMPLERS.to_vec();
-    if version.has(Feature::SamplerTypes) {
-        samplers.extend(NEW_SAMPLERS);
-    }
-    for ty in ["float", "int"].iter().chain(&samplers) {
+    let new = match version.has(Feature::SamplerTypes) {
+        true => NEW_SAMPLERS,
+        false => "",
+    };
+    for ty in TYPES.split(' ').chain(new.split_whitespace()) {
         text.push_str(&format!("precision highp {ty};\n"));
     }
     if !version.has(Feature::InOut) {

@@ -15,19 +15,8 @@ use shaderlint_text::{CompiledText, Edit, FileId, Span};
 use std::collections::BTreeMap;
 
 /// Types of a uniform, most frequent first.
-const UNIFORM_TYPES: &[&str] = &[
-    "float",
-    "vec2",
-    "vec3",
-    "vec4",
-    "int",
-    "sampler2D",
-    "samplerCube",
-    "mat4",
-    "mat3",
-    "mat2",
-    "bool",
-];
+const UNIFORM_TYPES: &str = "\
+    float vec2 vec3 vec4 int sampler2D samplerCube mat4 mat3 mat2 bool";
 /// Maximum number of names that are declared in one shader.
 const MAX_NAMES: usize = 12;
 /// Maximum number of unknown names in a shader for which their uses are asked: one with more lacks a file.
@@ -245,7 +234,7 @@ fn constants(known: &LibraryDefinition, name: &str) -> Vec<NameInsertion> {
 
 fn uniforms(name: &str) -> Vec<NameInsertion> {
     let texts = UNIFORM_TYPES
-        .iter()
+        .split(' ')
         .map(|ty| format!("uniform {ty} {name};"));
     texts.map(line).collect()
 }
@@ -268,8 +257,8 @@ fn placeholders(program: &Program, d: &Diagnostic) -> Vec<NameInsertion> {
 }
 
 fn constants_of_one(name: &str) -> Vec<NameInsertion> {
-    let constant = |ty: &&str| {
-        let one = match *ty {
+    let constant = |ty: &str| {
+        let one = match ty {
             "float" => "1.0".to_string(),
             "int" => "1".to_string(),
             "bool" => "true".to_string(),
@@ -278,7 +267,7 @@ fn constants_of_one(name: &str) -> Vec<NameInsertion> {
         let is_value = type_of(ty)?.numeric().is_some();
         is_value.then(|| line(format!("const {ty} {name} = {one};")))
     };
-    UNIFORM_TYPES.iter().filter_map(constant).collect()
+    UNIFORM_TYPES.split(' ').filter_map(constant).collect()
 }
 
 fn line(text: String) -> NameInsertion {

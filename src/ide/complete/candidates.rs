@@ -341,58 +341,27 @@ impl Candidates<'_> {
                 self.add(Proposal::new(word.name(), CompletionKind::Type, 0), fit);
             }
         }
-        let allowed: &[&str] = match self.usage.place {
-            WordPlace::Expression => &["false", "true"],
-            WordPlace::Statement => &[
-                "break",
-                "case",
-                "const",
-                "continue",
-                "default",
-                "discard",
-                "do",
-                "else",
-                "for",
-                "highp",
-                "if",
-                "lowp",
-                "mediump",
-                "precision",
-                "return",
-                "struct",
-                "switch",
-                "while",
-            ],
-            WordPlace::Parameter => &["const", "highp", "in", "inout", "lowp", "mediump", "out"],
-            WordPlace::Global => &[
-                "attribute",
-                "centroid",
-                "const",
-                "flat",
-                "highp",
-                "in",
-                "invariant",
-                "layout",
-                "lowp",
-                "mediump",
-                "out",
-                "precision",
-                "smooth",
-                "struct",
-                "uniform",
-                "varying",
-                "void",
-            ],
+        let allowed = match self.usage.place {
+            WordPlace::Expression => "false true",
+            WordPlace::Statement => {
+                "break case const continue default discard do else for highp if lowp mediump \
+                precision return struct switch while"
+            }
+            WordPlace::Parameter => "const highp in inout lowp mediump out",
+            WordPlace::Global => {
+                "attribute centroid const flat highp in invariant layout lowp mediump out \
+                precision smooth struct uniform varying void"
+            }
         };
-        for word in allowed {
+        for word in allowed.split(' ') {
             if !matches!(classify(word, program.version), WordClass::Plain) {
                 let fit = match self.usage.place {
                     WordPlace::Expression => self.expected.variable(program, Type::BOOL, false),
                     _ if self.usage.next == Some('=') => Fit::No,
-                    _ if self.is_operand() && !matches!(*word, "return" | "case") => Fit::No,
+                    _ if self.is_operand() && !matches!(word, "return" | "case") => Fit::No,
                     _ => Fit::Yes,
                 };
-                self.add(Proposal::new(*word, CompletionKind::Keyword, 0), fit);
+                self.add(Proposal::new(word, CompletionKind::Keyword, 0), fit);
             }
         }
     }

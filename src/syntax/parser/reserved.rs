@@ -21,25 +21,13 @@ const TYPES: &[(&str, &str)] = &[
 ];
 
 /// Reserved words that are declaration modifiers in other languages and versions.
-const MODIFIERS: &[&str] = &[
-    "static",
-    "inline",
-    "noinline",
-    "extern",
-    "external",
-    "public",
-    "volatile",
-    "coherent",
-    "restrict",
-    "readonly",
-    "writeonly",
-    "noperspective",
-    "resource",
-    "patch",
-    "subroutine",
-    "common",
-    "superp",
-];
+const MODIFIERS: &str = "\
+    static inline noinline extern external public volatile coherent restrict readonly writeonly \
+    noperspective resource patch subroutine common superp";
+
+fn is_modifier(word: &str) -> bool {
+    MODIFIERS.split(' ').any(|modifier| modifier == word)
+}
 
 /// Suggested replacement names for frequently used reserved words.
 #[rustfmt::skip]
@@ -307,7 +295,7 @@ impl Parser<'_> {
             newer,
             WordClass::Keyword(T::Flat | T::Smooth | T::Centroid | T::Layout)
         );
-        let is_modifier = MODIFIERS.contains(&word) || is_newer;
+        let is_modifier = is_modifier(word) || is_newer;
         if !is_modifier || !DECLARES.contains(self.kind(1)) {
             return None;
         }
@@ -388,9 +376,7 @@ impl Parser<'_> {
                     || (matches!(
                         self.kind(1),
                         T::Identifier | T::Reserved | T::Type | T::Const | T::Void
-                    ) && (is_type
-                        || MODIFIERS.contains(&word)
-                        || self.kind(1) == T::Identifier))
+                    ) && (is_type || is_modifier(word) || self.kind(1) == T::Identifier))
             }
             kind => {
                 let is_used = kind != T::Layout && set::FOLLOWS_USE.contains(self.kind(1));
