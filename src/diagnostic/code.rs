@@ -94,6 +94,7 @@ impl ErrorKind {
     }
 }
 
+// `$dollar` is a dollar sign, for the macro inside.
 macro_rules! errors {
     ($dollar:tt $($(#[$doc:meta])* $constant:ident = $name:tt $(, $facet:ident $(($of:expr))?)*;)*) => {
         /// The kinds of all compile errors.

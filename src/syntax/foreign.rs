@@ -44,7 +44,8 @@ pub struct Foreign {
 use Meaning::*;
 
 impl Meaning {
-    /// Parses a meaning, such as `code ($1 * $2)`. The arguments are numbered without gaps at the end.
+    /// Parses a meaning, such as `code ($1 * $2)`. There are as many arguments as the highest number
+    /// in it.
     fn read(text: &'static str) -> Option<Meaning> {
         let (kind, rest) = text.split_once(' ').unwrap_or((text, ""));
         let is_used = |number: &usize| rest.contains(&format!("${number}"));
