@@ -59,6 +59,8 @@ pub struct InputText {
     pub surroundings: Surroundings,
     /// Whether a host is known to insert code.
     pub is_open: bool,
+    /// Whether a program puts it together, in its own way.
+    pub is_composed: bool,
     /// Whether the surrounding script compiles the text unchanged.
     pub is_compiled: bool,
     /// Whether the context is in GLSL ES 3.00.
@@ -125,6 +127,7 @@ impl Readings {
             stage: Some(reading.stage),
             surroundings: Surroundings::File,
             is_open: false,
+            is_composed: false,
             is_compiled: false,
             is_300: false,
             has_holes: false,
@@ -729,7 +732,9 @@ fn presumed(
     let is_literal = text.surroundings == Surroundings::Literal;
     match kind {
         _ if choice != DialectChoice::Auto => PresumedCompleteness::Complete,
-        _ if text.is_open || guessed.is_completed => PresumedCompleteness::Chunk,
+        _ if text.is_open || text.is_composed || guessed.is_completed => {
+            PresumedCompleteness::Chunk
+        }
         // A literal that contains only the head of a shader is concatenated with others.
         Some(GuessedKind::Versioned) if is_literal && !has_main(code) => {
             PresumedCompleteness::Chunk

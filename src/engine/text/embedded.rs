@@ -223,6 +223,7 @@ fn shaders_of(
             Wrapping::Fence | Wrapping::Listing => Surroundings::Shown,
         },
         is_open: !missing.is_empty(),
+        is_composed: false,
         is_compiled: around.is_compiled && !is_shown(embedded),
         is_300: around.is_300,
         has_holes: is_excerpt(embedded) || embedded.has_holes,

@@ -38,6 +38,7 @@ pub fn shader_part(
         false => None,
     };
     let has_holes = masked.is_some();
+    let mut is_composed = false;
     let (files, is_open, missing) = match masked {
         Some(code) => (
             vec![Arc::make_mut(&mut input.sources).embed(file, 0, code)?],
@@ -50,6 +51,7 @@ pub fn shader_part(
             let own = spread(&mut input.sources, (name, file, text), &joined, access)?;
             input.problems.extend(own.problems);
             input.hushed.extend(own.hushed);
+            is_composed = own.is_composed;
             (own.files, own.is_open, own.missing)
         }
     };
@@ -62,6 +64,7 @@ pub fn shader_part(
             None => Surroundings::File,
         },
         is_open,
+        is_composed,
         is_compiled: false,
         is_300: false,
         has_holes,

@@ -34,6 +34,12 @@ pub fn installed_hosts(name: &str, access: FileAccess) -> Vec<&'static Preset> {
     presets().filter(uses).collect()
 }
 
+/// Whether the project of a file names its packages, and none has chunks that shaders include.
+pub fn has_no_chunks(name: &str, access: FileAccess) -> bool {
+    let has_chunks = |p: &&Preset| p.base.is_some() || p.chunk_library().is_some();
+    !packages(name, access).is_empty() && !installed_hosts(name, access).iter().any(has_chunks)
+}
+
 /// The release of a package with versions `0.RELEASE.PATCH` for a file: the one that is installed, otherwise the
 /// only one that its project accepts.
 pub fn installed_release(name: &str, package: &str, access: FileAccess) -> Option<u32> {

@@ -21,7 +21,9 @@ mod vertex;
 mod vertexshaderart;
 mod vscode;
 
-pub use around::{imported_hosts, installed_hosts, installed_release, uses_installed};
+pub use around::{
+    has_no_chunks, imported_hosts, installed_hosts, installed_release, uses_installed,
+};
 pub use bind::bind;
 pub use bind::{Bindings, MAX_CHANNELS, UniformData};
 use clues::VersionAsked;

@@ -12,6 +12,7 @@ pub use find::{Absence, EXTENSIONS};
 pub use moved::{FileMoves, moved_includes};
 
 use crate::access::FileAccess;
+use crate::dialect::has_no_chunks;
 use crate::files::family::common_of;
 use crate::files::scan::{Form, IncludeDirective, IncludedFile, Manner, RequestedFile};
 use find::{Absent, FoundFile, is_of_package};
@@ -39,6 +40,8 @@ pub struct Spread {
     pub files: Vec<FileId>,
     /// Whether included code is missing.
     pub is_open: bool,
+    /// Whether a program has its own way to find included files, so that it puts the shader together.
+    pub is_composed: bool,
     /// Includes that were not found.
     pub missing: Vec<MissingInclude>,
     /// Findings about the directives.
@@ -243,6 +246,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
             found: Spread {
                 files: Vec::new(),
                 is_open: false,
+                is_composed: false,
                 missing: Vec::new(),
                 problems: Vec::new(),
                 hushed: Hushed::default(),
@@ -409,7 +413,9 @@ impl<'r, 'w> Spreader<'r, 'w> {
     /// does not include itself.
     fn elsewhere(&self, from: &str, requested: &RequestedFile) -> Option<FoundFile> {
         let is_chunk = requested.manner == Manner::Chunk;
-        let may_be_of_host = self.context.host.is_some() || is_chunk_of_host(&requested.path);
+        let is_host_used = || !has_no_chunks(from, self.context);
+        let may_be_of_host =
+            self.context.host.is_some() || is_chunk_of_host(&requested.path) && is_host_used();
         if is_chunk && may_be_of_host {
             return None;
         }
@@ -480,6 +486,7 @@ impl<'r, 'w> Spreader<'r, 'w> {
         let (start, text) = found.outer.unwrap_or((0, found.file.text.clone()));
         let id = self.add(&found.name, text)?;
         let is_hushed = |open: &OpenFile| self.found.hushed.0.get(&open.file) == Some(&Hush::All);
+        self.found.is_composed |= found.is_elsewhere;
         if found.is_elsewhere || self.open.last().is_some_and(is_hushed) {
             // What its program puts before it is not known, so its findings are those without the shader.
             self.found.hushed.0.insert(id, Hush::All);
