@@ -372,3 +372,13 @@ fn modules_that_are_not_installed_may_declare_functions() {
         &["7:35: info[undeclared-name]: `noise` is not declared in this file"],
     );
 }
+
+#[test]
+fn errors_in_test_cases_are_warnings() {
+    let shader =
+        "const code = `void mainImage(out vec4 c, in vec2 p) { c = texture2D(iChannel0, p); }`;\n";
+    let found = "1:59: error[legacy-glsl]: `texture2D` was removed in GLSL ES 3.00";
+    check(&[("a.js", shader)], &[found]);
+    let tested = format!("{shader}it('converts', () => expect(convert(code)).toBe(1));\n");
+    check(&[("a.js", &tested)], &[&found.replace("error", "warning")]);
+}

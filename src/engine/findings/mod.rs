@@ -68,6 +68,7 @@ pub const STAGES: &[FindingStage] = &[
     File(whole_file::drop_hushed),
     File(whole_file::sort),
     // Lowers errors, before infos are counted.
+    File(whole_file::lower_in_tests),
     File(whole_file::keep_expected_faults),
     File(whole_file::count_infos),
     // Last, because these decide on all fixes.

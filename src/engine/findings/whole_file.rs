@@ -11,6 +11,9 @@ use shaderlint_text::{Encoding, Span};
 /// How tests in JavaScript expect an exception: Jest, Vitest, Jasmine and Playwright, Chai, Node.js and QUnit.
 const EXPECTATIONS: &[&str] = &[".toThrow", ".to.throw", ".throws("];
 
+/// How test cases in JavaScript start: Jest, Vitest, Jasmine, Mocha and Playwright.
+const CASES: &[&str] = &["describe(", "it(", "test("];
+
 /// Adds what was found when the file was read.
 pub fn add_problems(file: &mut FileCheck) {
     file.report.diagnostics.append(&mut file.problems);
@@ -68,6 +71,23 @@ pub fn ask_before_porting(file: &mut FileCheck) {
     let is_desktop = file.kind == FileKind::Foreign(ShaderLanguage::Desktop);
     if is_desktop && file.context.options.desktop == Desktop::Port {
         ask_first(&mut file.report.diagnostics);
+    }
+}
+
+/// Lowers errors in scripts with test cases: their texts are what the tested program reads, as it is.
+pub fn lower_in_tests(file: &mut FileCheck) {
+    let own = file.report.file.and_then(|id| file.report.sources.file(id));
+    let has_cases = |text: &str| CASES.iter().any(|word| text.contains(word));
+    let is_test = |text: &str| text.contains("expect(") && has_cases(text);
+    let is_script = file.kind == FileKind::Holds(DocumentLanguage::Script);
+    if !is_script || !own.is_some_and(|own| is_test(&own.text)) {
+        return;
+    }
+    let all = file.report.diagnostics.iter_mut();
+    for d in all.filter(|d| d.severity == Severity::Error) {
+        d.severity = Severity::Warning;
+        d.notes
+            .push("right if the test needs the text as it is".to_string());
     }
 }
 
