@@ -382,3 +382,19 @@ fn errors_in_test_cases_are_warnings() {
     let tested = format!("{shader}it('converts', () => expect(convert(code)).toBe(1));\n");
     check(&[("a.js", &tested)], &[&found.replace("error", "warning")]);
 }
+
+#[test]
+fn functions_of_extensions_are_warnings_if_a_program_adds_the_directive() {
+    let code = "precision highp float;\nvarying vec2 v;\nvoid main() { gl_FragColor = vec4(fwidth(v.x)); }\n";
+    let found = "3:35: error[needs-webgl2]: `fwidth` requires GLSL ES 3.00";
+    check(&[("a.glsl", code)], &[found]);
+    let program = (
+        "b.js",
+        "shader = '#extension GL_OES_standard_derivatives : enable\\n' + shader;",
+    );
+    let lowered = found.replace("error", "warning");
+    check(
+        &[("a.glsl", code), program, ("package.json", "{}")],
+        &[&lowered],
+    );
+}

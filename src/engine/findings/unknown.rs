@@ -15,7 +15,7 @@ use shaderlint_explain::Checked;
 use shaderlint_host::{matches_any, was_in_chunk};
 use shaderlint_project::required_names;
 use shaderlint_semantic::{BuiltinId, Completeness};
-use shaderlint_syntax::DIRECTIVES;
+use shaderlint_syntax::{DIRECTIVES, GlExtension};
 use shaderlint_text::{Edit, Role, Sources, Span};
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -39,6 +39,7 @@ pub fn decide_severity(shader: &mut ShaderCheck) {
     let required = required(sources, part, &code);
     if checked.completeness == Completeness::Complete {
         leave_directives(checked, hosts);
+        lower_extensions(checked, hosts);
         if part.readings.is_shadertoy() && code.contains("uniform ") {
             lower_shared(checked, hosts, &vocabulary);
         }
@@ -148,6 +149,24 @@ fn leave_directives(checked: &mut Checked, hosts: &Hosts) {
     checked
         .diagnostics
         .retain(|d| !d.is(error::BAD_DIRECTIVE) || d.fix.is_some() || !is_read(d));
+}
+
+/// Lowers errors about functions of extensions, if a program of the repository writes the directive.
+fn lower_extensions(checked: &mut Checked, hosts: &Hosts) {
+    let program = &checked.program;
+    let (sources, version) = (&program.sources, program.version);
+    let missing = checked.diagnostics.iter_mut();
+    for d in missing.filter(|d| d.is(error::NEEDS_WEBGL2)) {
+        let added_by = GlExtension::that_adds(sources.text(d.span), version);
+        let directives = added_by.map_or(&[][..], |extension| extension.facts().directives);
+        let is_written = |name: &&&str| hosts.is_written_by_program("#extension ", name);
+        if let Some(name) = directives.iter().find(is_written) {
+            d.severity = Severity::Warning;
+            d.notes.push(format!(
+                "right if a program adds `#extension {name} : enable`"
+            ));
+        }
+    }
 }
 
 /// Lowers errors about names of other files in a pass that declares uniforms, which a program other than

@@ -393,7 +393,7 @@ impl<'a> Hosts<'a> {
         (is_set || cache.is_owned(name, &file, files)) && !cache.is_declared(name, &file, files)
     }
 
-    /// Whether a program of the repository contains a name after `#`, or as a macro after `'`.
+    /// Whether a program of the repository contains a name after `#` or `#extension `, or as a macro after `'`.
     pub fn is_written_by_program(&self, mark: &str, name: &str) -> bool {
         let (files, file) = (self.context.files, self.file());
         let cache = &self.context.options.file_cache;

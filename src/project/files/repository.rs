@@ -164,9 +164,13 @@ impl RepositoryWords {
         if is_about_shaders && is_program {
             programs.hand_over |= text.contains(".shaderSource(");
             programs.hold_version |= text.contains("#version 300");
-            let directives = text.split('#').skip(1);
-            let directives = directives.filter_map(|rest| words(rest).next());
-            let directives = directives.map(|word| format!("#{word}"));
+            let directives = text.split('#').skip(1).filter_map(|rest| {
+                let mut words = words(rest);
+                Some(match words.next()? {
+                    "extension" => format!("#extension {}", words.next()?),
+                    word => format!("#{word}"),
+                })
+            });
             let macros = macros_in_strings(&text).map(|word| format!("'{word}"));
             let all = directives.chain(macros);
             all.for_each(|word| self.words.add(hash(&word), number));
