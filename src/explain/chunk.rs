@@ -5,7 +5,7 @@
 //! macro, so the syntax around it is not checked. Groups of `#if` that depend on a name of the host
 //! may be included or not.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{
     Certainty, Diagnostic, Facet, Lack, MacroUse, Severity, Subject, error,
 };
@@ -68,7 +68,8 @@ pub(super) fn keep_certain(
     // An overload elsewhere may have another type.
     let is_overloaded = |d: &&Diagnostic| d.is(error::ARGUMENT_MISMATCH) && part.is_of_own_call(d);
     let of_calls = diagnostics.iter().filter(is_overloaded);
-    let of_calls: FxHashSet<usize> = of_calls.map(|d| part.statement(d.span).start).collect();
+    let of_calls = of_calls.map(|d| (part.statement(d.span).start, part.is_likely(d)));
+    let of_calls: FxHashMap<usize, bool> = of_calls.collect();
     diagnostics.retain_mut(|d| {
         if d.lacks() == Some(Lack::Name) {
             names.insert(program.sources.text(d.span).to_string());
@@ -78,12 +79,16 @@ pub(super) fn keep_certain(
         }
         if !is_torn && part.is_likely(d) {
             d.severity = Severity::Warning;
-            d.notes
-                .push("the host may define another overload".to_string());
+            d.notes.push(OTHER_OVERLOAD.to_string());
             return true;
         }
-        let of_call = of_calls.contains(&part.statement(d.span).start);
-        let is_certain = !of_call && part.is_certain(d, is_torn);
+        // One finding about the call is enough.
+        let of_call = of_calls.get(&part.statement(d.span).start).copied();
+        let is_certain = of_call != Some(true) && part.is_certain(d, is_torn);
+        if of_call.is_some() && is_certain {
+            d.severity = Severity::Warning;
+            d.notes.push(OTHER_OVERLOAD.to_string());
+        }
         if !is_certain && !is_absent(d) {
             is_displaced |= d.subject.is_brace() || d.has(Facet::Moves);
             unclear.push(d.span);
@@ -112,6 +117,9 @@ pub(super) fn keep_certain(
         unknown,
     }
 }
+
+/// The note of warnings about calls of a function that has no such overload in a fragment.
+pub const OTHER_OVERLOAD: &str = "the host may define another overload";
 
 /// Whether an error is about what a host adds around a fragment, which means the same without it.
 fn is_absent(d: &Diagnostic) -> bool {

@@ -19,5 +19,5 @@ pub use analyze::{
     analyze, analyze_alone, analyze_chunk, analyze_fragment, analyze_within, confirm_unknown,
 };
 pub use checked::Checked;
-pub use chunk::Open;
+pub use chunk::{OTHER_OVERLOAD, Open};
 pub use upgrade::{ObstacleKind, Upgrade, UpgradeObstacle, upgrade};

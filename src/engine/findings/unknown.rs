@@ -11,7 +11,7 @@ use crate::hosts::host::Hosts;
 use crate::shader::reading::code_of;
 use crate::shader::shader_input::ShaderInput;
 use shaderlint_diagnostic::{Diagnostic, Fix, Lack, Severity, error};
-use shaderlint_explain::Checked;
+use shaderlint_explain::{Checked, OTHER_OVERLOAD};
 use shaderlint_host::{matches_any, was_in_chunk};
 use shaderlint_project::required_names;
 use shaderlint_semantic::{BuiltinId, Completeness};
@@ -119,19 +119,30 @@ fn leave_given(unknown: &mut Vec<Diagnostic>, checked: &Checked, part: &ShaderIn
     });
 }
 
-/// Drops warnings about calls of functions that other files may overload.
+/// Drops warnings about calls of own functions that other files may overload.
 fn leave_overloads(checked: &mut Checked, hosts: &Hosts) {
-    let sources = &checked.program.sources;
-    let is_elsewhere = |d: &Diagnostic| {
-        let file = sources.file_id_at(d.span.start);
-        let own = |span: Span| sources.file_id_at(span.start) == file;
-        let mut labels = d.labels.iter();
-        labels.any(|l| own(l.span) && hosts.may_be_overloaded(sources.text(l.span)))
+    let program = &checked.program;
+    let sources = &program.sources;
+    let own = |span: Span, name: &str| {
+        let file = sources.file_id_at(span.start);
+        let mut all = program.functions.iter();
+        all.any(|f| {
+            let declared = program.tree.function(f.declaration);
+            let token = declared.and_then(|d| program.token(d.ident.token));
+            let is_here = token.is_some_and(|t| sources.file_id_at(t.span.start) == file);
+            is_here && program.names.text(f.name) == name
+        })
     };
     let is_open = |d: &Diagnostic| {
-        d.is(error::ARGUMENT_MISMATCH) && d.severity == Severity::Warning && is_elsewhere(d)
+        let labels = d.labels.iter().map(|l| sources.text(l.span));
+        let callee = sources.text(d.span).split('(').next();
+        let mut names = labels.chain(callee.map(|text| text.rsplit(' ').next().unwrap_or(text)));
+        names.any(|name| own(d.span, name) && hosts.may_be_overloaded(name))
     };
-    checked.diagnostics.retain(|d| !is_open(d));
+    let is_unsure = |d: &Diagnostic| d.notes.iter().any(|note| note == OTHER_OVERLOAD);
+    checked
+        .diagnostics
+        .retain(|d| d.severity != Severity::Warning || !is_unsure(d) || !is_open(d));
 }
 
 /// Drops errors about directives that a program of the repository mentions: it reads them.

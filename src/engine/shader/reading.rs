@@ -470,6 +470,12 @@ impl Readings {
                 &[Version::Es100, Version::Es300]
             }
             (Some(HostVersion::Any), _) => &[Version::Es300, Version::Es100],
+            // It is complete but for its includes, which may be written for both versions.
+            (None, Some(GuessedKind::WebGl1))
+                if self.text.is_composed && self.guessed.has_precision =>
+            {
+                &[Version::Es100]
+            }
             _ if self.needs_300 => &[Version::Es300],
             (_, Some(GuessedKind::WebGl1)) => &[Version::Es100, Version::Es300],
             _ => &[Version::Es300, Version::Es100],
