@@ -220,7 +220,7 @@ pub fn selected_shaders(text: &str) -> Vec<SelectedShader> {
     }
 }
 
-/// The same shaders, of which none defines the macros of another.
+/// The same shaders, each without the macros of the others.
 fn exclusive(mut all: Vec<SelectedShader>) -> Vec<SelectedShader> {
     let names = all.iter().flat_map(|s| s.macros.0.keys().cloned());
     let names: BTreeSet<String> = names.collect();

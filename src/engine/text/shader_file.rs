@@ -30,9 +30,9 @@ pub fn shader_part(
         _ => None,
     };
     let guessed = guess(text);
+    let is_likely = |stage: &Stage| guessed.stage.is_none_or(|own| own == *stage);
     let by_name = || StageName::of(name).map(|named| named.stage);
-    let by_name = || by_name().filter(|stage| guessed.stage.is_none_or(|own| own == *stage));
-    let stage = by_extension.or_else(by_name);
+    let stage = by_extension.or_else(|| by_name().filter(is_likely));
     let masked = match may_be_template(text, &guessed, options) {
         true => mask(text),
         false => None,
