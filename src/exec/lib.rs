@@ -9,19 +9,13 @@ mod bytecode;
 mod compile;
 mod draw;
 mod equal;
-#[cfg(test)]
-mod evaluation_order;
 mod gpu_profile;
 mod image;
 mod observations;
 mod options;
 mod render;
 mod replay;
-#[cfg(test)]
-mod replay_tests;
 mod row;
-#[cfg(test)]
-mod tests;
 mod trace;
 mod vm;
 

@@ -137,9 +137,9 @@ async function passes(context) {
 
 /** The cases of the executor's tests of the order of evaluation: statements that set `r`, and its value. */
 function orderCases() {
-  const text = fs.readFileSync(path.join(top, 'src/exec/evaluation_order.rs'), 'utf8');
+  const text = fs.readFileSync(path.join(top, 'tests/units/exec/evaluation_order.rs'), 'utf8');
   const head = /const HEAD: &str = "#version 300 es\n.*\n([^"]*)\\n";/.exec(text)[1];
-  const rows = fs.readFileSync(path.join(top, 'src/exec/evaluation_order.txt'), 'utf8');
+  const rows = fs.readFileSync(path.join(top, 'tests/units/exec/evaluation_order.txt'), 'utf8');
   const cases = [...rows.matchAll(/^([^#\n][^\n]*) => (\d+)$/gm)];
   return { head, cases: cases.map(([, statements, value]) => ({ statements, value: Number(value) })) };
 }

@@ -4,6 +4,7 @@ mod causes;
 mod dialects;
 mod editor;
 mod entries;
+mod exec;
 mod formatter;
 mod inactive;
 mod kinds;

@@ -8,6 +8,8 @@ mod arithmetic;
 mod array;
 mod following;
 pub(super) mod state;
+#[cfg(test)]
+mod tests;
 mod texture;
 mod tracing;
 mod watch;

@@ -1,7 +1,7 @@
 //! Tests of replays: where they stop, what they show, and that they come back to every bit.
 
-use super::tests::compiled;
-use super::{CompileOptions, Draw, Pause, QUAD, Replay, StopKind, draw};
+use super::results::compiled;
+use shaderlint_exec::{CompileOptions, Draw, Pause, QUAD, Replay, StopKind, draw, lane_of};
 use shaderlint_ir::lower;
 use shaderlint_semantic::{Program, check_fragment};
 
@@ -79,7 +79,7 @@ fn a_replay_ends_with_the_outputs_of_the_draw() {
     for at in 0..8 {
         let mut replay = Replay::new(&ready, [at % 4, at / 4]).unwrap();
         while replay.advance().unwrap().is_some() {}
-        let lane = super::lane_of([at % 4, at / 4]);
+        let lane = lane_of([at % 4, at / 4]);
         assert_eq!(replay.outputs(lane)[0], image.outputs[0][at as usize]);
     }
 }

@@ -1,14 +1,12 @@
 //! Tests of the VM: results per pixel, independence of pixels that run side by side, and
 //! termination.
 
-use super::vm::{Tile, Vm};
-use super::{
+use shaderlint_exec::{
     Bytecode, COMPARED_SIZE, CompileOptions, Draw, Drawn, Equality, ErrorDirection, FaultKind,
     GpuProfile, Observations, OperationCost, Stop, Watch, compile, draw, equality, quads_all_over,
     sample,
 };
 use shaderlint_ir::lower;
-use shaderlint_math::{Faster, faster};
 use shaderlint_semantic::check_fragment;
 use std::collections::BTreeSet;
 
@@ -466,53 +464,5 @@ fn every_pixel_has_its_own_coordinates() {
         let expected: Vec<_> = rows.map(|pixel| pixel.map(|n| n as f32 + 0.5)).collect();
         assert_eq!(found, expected, "{size:?}");
         assert_eq!(drawn.seen.pixels, u64::from(size[0] * size[1]));
-    }
-}
-
-/// Results and statistics are the same with the instructions of every machine and with faster ones.
-#[test]
-fn results_are_the_same_on_every_machine() {
-    let code = format!(
-        "{HEAD}float f(float p) {{ return p < 9.0 ? sin(p * 1e5) : pow(p, 1.7) / (p - 20.0); }}
-        void main() {{ vec2 p = gl_FragCoord.xy; float s = 0.0; int k = n;
-        for (int i = 0; i < 20; i++) {{ s += f(p.x + float(i)); if (s > p.y * 9.0) break; k ^= i << k; }}
-        if (k % 3 == 1) s = mod(s, dFdx(s)); uint u = uint(abs(k)) / uint(n - 3 + k % 2);
-        color = vec4(s, a[k & 3], uintBitsToFloat(u), inversesqrt(x - s)); }}"
-    );
-    let pixels = std::array::from_fn(|lane| [lane as u32 % 8, lane as u32 / 8]);
-    let requested = u32::MAX >> 3;
-    for watch in [
-        Watch::Nothing,
-        Watch::Flow,
-        Watch::Faults,
-        Watch::Comparisons,
-    ] {
-        for gpu_profile in [
-            GpuProfile::Exact,
-            GpuProfile::Inexact(ErrorDirection::Either),
-        ] {
-            let options = CompileOptions {
-                watch,
-                cost: true,
-                gpu_profile,
-                ..CompileOptions::default()
-            };
-            let bytecode = compiled(&code, &options);
-            let mut ready = Draw::new(&bytecode, [8, 4]);
-            set_all(&mut ready);
-            let run = |faster: Option<Faster>| {
-                let mut vm = Vm::with(&ready, faster);
-                let covered = vm.run(&Tile {
-                    pixels,
-                    requested,
-                    cases: [0; crate::LANES],
-                });
-                let outputs = bytecode.outputs.iter().flat_map(|slot| &slot.regs);
-                let outputs: Vec<_> = outputs.map(|reg| vm.row(*reg).0).collect();
-                let spent = vm.spent;
-                format!("{covered:?} {outputs:x?} {spent} {:?}", vm.finish())
-            };
-            assert_eq!(run(faster()), run(None), "{watch:?} {gpu_profile:?}");
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! The order of evaluation, with a table for each kind of expression. The values are those of Chromium
 //! (ANGLE's SPIR-V on SwiftShader); `ir::lower::order` describes the rule.
 
-use super::tests::row;
+use super::results::row;
 
 /// Functions with side effects. `log` records in which order numbers were evaluated.
 const HEAD: &str = "#version 300 es
