@@ -7,8 +7,8 @@ use super::places::{StackFrame, StopPlace};
 use super::stepping::moment_of;
 use super::timeline::Timeline;
 use shaderlint_exec::{CompileOptions, Draw, QUAD, Stop, draw};
-use shaderlint_text::FileId;
 use shaderlint_text::number::grouped;
+use shaderlint_text::{FileId, SetAt};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -79,9 +79,7 @@ impl Breakpoint {
             if let Err(message) = &found {
                 self.place = Err(message.clone());
             }
-            if let Some(slot) = self.moments.get_mut(lane) {
-                *slot = Some(found.unwrap_or_default());
-            }
+            self.moments.set_at(lane, Some(found.unwrap_or_default()));
         }
         let known = self.moments.get(lane).and_then(Option::as_ref);
         Ok(known.map_or(&[], |moments| moments))

@@ -7,6 +7,7 @@ use super::row::LANES;
 use super::vm::{Tile, Vm};
 use shaderlint_math::{bits_of, hash};
 use shaderlint_semantic::Scalar;
+use shaderlint_text::SetAt;
 use std::sync::Mutex;
 
 /// A rendered image. Rows are ordered bottom to top, like `gl_FragCoord`.
@@ -358,9 +359,7 @@ pub fn sample_cases(draw: &Draw<'_>, pixels: &[[u32; 2]]) -> Result<Sampled, Sto
         for lane in 0..LANES {
             let at = (lane / lanes_per_case).min(last);
             let pixel = chunk.get(at).copied().unwrap_or_default();
-            if let Some(case) = tile.cases.get_mut(lane) {
-                *case = first + at as u32;
-            }
+            tile.cases.set_at(lane, first + at as u32);
             let own = (pixel[1] & 1) << 1 | pixel[0] & 1;
             let is_own = match has_quads {
                 true => own as usize == lane % 4,

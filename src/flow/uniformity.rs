@@ -15,6 +15,7 @@ use shaderlint_ir::{
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::SetAt;
 
 /// Index of a [`Control`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -315,9 +316,7 @@ impl<'m> Visit<'m> for UniformityWalk<'m> {
 
     fn run(&mut self, run: Run) -> Leaves {
         for op in run.ops() {
-            if let Some(slot) = self.control_of.get_mut(op.0 as usize) {
-                *slot = self.control;
-            }
+            self.control_of.set_at(op.0 as usize, self.control);
             self.op(op);
         }
         Leaves::default()

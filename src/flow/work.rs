@@ -4,6 +4,7 @@ use super::calls::Calls;
 use shaderlint_ir::{Loop, LoopId, Module, OpId, OpKind, Provenance, Region, Step};
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::SetAt;
 
 /// Assumed trip count of a loop whose bound is unknown.
 const UNKNOWN_ITERATIONS: f64 = 8.0;
@@ -88,9 +89,7 @@ impl Work {
             };
             let mut cost = Cost::default();
             cost.iterations = work.region(module, body, 1.0, &mut cost);
-            if let Some(slot) = work.functions.get_mut(id.0 as usize) {
-                *slot = cost;
-            }
+            work.functions.set_at(id.0 as usize, cost);
         }
         let mut globals = Cost::default();
         work.region(module, module.globals, 1.0, &mut globals);
@@ -171,9 +170,7 @@ impl Work {
             iterations += self.region(module, region, inside, cost);
         }
         let iterations = f64::min(iterations.max(1.0) * count.unwrap_or(1) as f64, MOST);
-        if let Some(slot) = self.loops.get_mut(id.0 as usize) {
-            *slot = iterations;
-        }
+        self.loops.set_at(id.0 as usize, iterations);
         iterations
     }
 

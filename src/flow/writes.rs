@@ -4,6 +4,7 @@ use shaderlint_ir::{Module, OpId, OpKind, PlaceId, Provenance, Root, Step};
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{Mentions, Program, VariableId};
 use shaderlint_syntax::ast::ExprId;
+use shaderlint_text::SetAt;
 
 /// All writes of a shader.
 #[derive(Default, Debug)]
@@ -127,9 +128,7 @@ fn by_variable(program: &Program, all: &[Write], count: usize) -> Lists<ExprId> 
 }
 
 fn mark(all: &mut [bool], variable: VariableId) {
-    if let Some(slot) = all.get_mut(variable.0 as usize) {
-        *slot = true;
-    }
+    all.set_at(variable.0 as usize, true);
 }
 
 /// By variable: how often it is mentioned in lowered code. Each mention is a place.
@@ -176,9 +175,7 @@ fn last_uses(module: &Module) -> Vec<OpId> {
     const AFTER: OpId = OpId(u32::MAX);
     let mut last = vec![OpId(0); module.ops.len()];
     let mut set = |value: OpId, user: OpId| {
-        if let Some(slot) = last.get_mut(value.0 as usize) {
-            *slot = user;
-        }
+        last.set_at(value.0 as usize, user);
     };
     for user in (0..module.ops.len() as u32).map(OpId) {
         module.each_operand(user, |value| set(value, user));

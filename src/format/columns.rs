@@ -6,6 +6,7 @@ use super::rows::{StatementRow, goes_on};
 use super::spacing::{is_assignment, precedence};
 use super::structure::{ItemRole, StatementStart};
 use shaderlint_syntax::TokenKind as T;
+use shaderlint_text::SetAt;
 use std::cmp::Ordering;
 use std::ops::Range;
 
@@ -305,9 +306,7 @@ impl Cells {
             *padded |= is_padded;
         }
         for at in [pair.above, pair.below] {
-            if let Some(c) = self.columns.get_mut(at) {
-                *c = column;
-            }
+            self.columns.set_at(at, column);
         }
     }
 

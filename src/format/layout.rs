@@ -8,6 +8,7 @@ use super::place::{ItemPlace, LayoutPoint, LineLayout};
 use super::request::{Lines, TextExtent};
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
+use shaderlint_text::SetAt;
 use std::ops::Range;
 
 /// How a text is laid out.
@@ -161,9 +162,7 @@ impl LineLayout<'_> {
             if self.joined.get(at) == Some(&true) {
                 cells.remove(at..at + 1);
             }
-            if let Some(aligned) = self.aligned.get_mut(at) {
-                *aligned = cells.contain(at);
-            }
+            self.aligned.set_at(at, cells.contain(at));
         }
         self.keep_rows(block.clone(), &rows);
         for at in block.clone() {

@@ -5,6 +5,7 @@ use super::item::FormatItem;
 use super::place::LineLayout;
 use shaderlint_syntax::TokenKind as T;
 use shaderlint_syntax::set::TokenSet;
+use shaderlint_text::SetAt;
 
 /// Minimum number of elements of a list.
 const ELEMENTS: usize = 3;
@@ -62,9 +63,7 @@ impl LineLayout<'_> {
         let is_list = self.list(open).is_some();
         let has_rows = inner.clone().skip(1).any(is_broken);
         let from = inner.start + usize::from(is_broken(inner.start));
-        if let Some(state) = self.lists.get_mut(open) {
-            *state = Some(is_list);
-        }
+        self.lists.set_at(open, Some(is_list));
         if is_list && has_rows {
             if let Some(joined) = self.joined.get_mut(from..inner.end) {
                 joined.fill(true);

@@ -6,6 +6,7 @@ use super::spacing::precedence;
 use super::structure::{ItemRole, StatementStart};
 use super::style::Style;
 use shaderlint_syntax::TokenKind as T;
+use shaderlint_text::SetAt;
 
 /// Maximum number of consecutive empty lines.
 const MAX_EMPTY: u32 = 2;
@@ -170,9 +171,7 @@ impl LineLayout<'_> {
     }
 
     pub(super) fn put(&mut self, at: usize, place: ItemPlace) {
-        if let Some(p) = self.places.get_mut(at) {
-            *p = place;
-        }
+        self.places.set_at(at, place);
     }
 
     pub(super) fn finish(&mut self, item: &FormatItem, column: u32) {

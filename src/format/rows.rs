@@ -5,6 +5,7 @@ use super::place::LineLayout;
 use super::spacing::is_assignment;
 use super::structure::{ItemRole, StatementStart};
 use shaderlint_syntax::TokenKind as T;
+use shaderlint_text::SetAt;
 use std::ops::Range;
 
 /// Minimum number of equal statements that stay on one line.
@@ -171,9 +172,7 @@ impl LineLayout<'_> {
                 || n.checked_sub(1).is_some_and(|before| is_like(n, before))
                 || self.are_equal(row);
             for at in starts.filter(|_| stay) {
-                if let Some(stays) = self.in_rows.get_mut(at) {
-                    *stays = true;
-                }
+                self.in_rows.set_at(at, true);
             }
         }
     }

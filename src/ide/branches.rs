@@ -11,7 +11,7 @@ use shaderlint_syntax::{
     BranchId, ConditionalDirective, ConditionalGroups, GroupBranch, MacroTestKind, RawItem,
     RawKind, raw_items, tokenize,
 };
-use shaderlint_text::Span;
+use shaderlint_text::{SetAt, Span};
 
 /// Maximum number of texts.
 const MOST: usize = 16;
@@ -204,9 +204,7 @@ impl<'t> CodeGroups<'t> {
             let Some(id) = needed.find(|id| chosen.allow(self.branches(group), id.1)) else {
                 continue;
             };
-            if let Some(selected) = self.selected.get_mut(group) {
-                *selected = Some(id.1);
-            }
+            self.selected.set_at(group, Some(id.1));
             chosen.choose(self.branches(group), id.1);
             if let Some(branch) = self.groups.branch_mut(id) {
                 any |= std::mem::take(&mut branch.directive.is_unread);
@@ -228,9 +226,7 @@ impl<'t> CodeGroups<'t> {
             let selected = selected.or_else(|| active().map(|id| id.1).filter(allowed));
             let lines = self.groups.all.get(group).into_iter();
             let lines: Vec<Span> = lines.flat_map(|g| g.directives()).map(|d| d.line).collect();
-            if let Some(selected) = self.selected.get_mut(group) {
-                *selected = None;
-            }
+            self.selected.set_at(group, None);
             for (at, pair) in lines.windows(2).enumerate() {
                 match pair {
                     _ if selected == Some(at) => {

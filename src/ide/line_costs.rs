@@ -7,7 +7,7 @@ use shaderlint_flow::CostPart;
 use shaderlint_ir::Provenance;
 use shaderlint_lint::Facts;
 use shaderlint_semantic::FunctionRef;
-use shaderlint_text::{LineIndex, Span};
+use shaderlint_text::{LineIndex, SetAt, Span};
 use std::collections::BTreeMap;
 
 /// The lines of a document.
@@ -74,9 +74,7 @@ pub(super) fn estimated_lines(
         document.report.in_input(Span::at(start))
     };
     let mut calls = vec![0.0; module.functions.len()];
-    if let Some(calls) = calls.get_mut(entry.0 as usize) {
-        *calls = 1.0;
-    }
+    calls.set_at(entry.0 as usize, 1.0);
     // A function comes after all that call it.
     let functions = facts.calls().graph().bottom_up();
     let bodies = functions.into_iter().rev().filter_map(|id| {

@@ -9,7 +9,7 @@ use super::unit::Unit;
 use rustc_hash::FxHashSet;
 use shaderlint_diagnostic::Diagnostic;
 use shaderlint_syntax::{Choice, Correction, Name, ParseOptions, Search, Token, parse_corrected};
-use shaderlint_text::Span;
+use shaderlint_text::{SetAt, Span};
 
 /// Maximum number of checks of one shader.
 const MAX_LOOKS: usize = 8;
@@ -170,9 +170,7 @@ fn parts_words(correction: &Correction, words: &FxHashSet<Span>) -> bool {
 }
 
 fn set(made: &mut [Option<usize>], at: usize, to: Option<usize>) {
-    if let Some(slot) = made.get_mut(at) {
-        *slot = to;
-    }
+    made.set_at(at, to);
 }
 
 #[cfg(test)]

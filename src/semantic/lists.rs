@@ -1,5 +1,7 @@
 //! Many short lists in one allocation.
 
+use shaderlint_text::SetAt;
+
 /// Lists by index. Shaders have thousands of functions and variables with few uses each, so
 /// separate lists would cost more than their contents.
 #[derive(Debug)]
@@ -42,9 +44,7 @@ impl<T: Copy> Lists<T> {
         let mut next = starts.clone();
         for (list, entry) in all.filter(|(list, _)| (*list as usize) < count) {
             if let Some(at) = next.get_mut(list as usize) {
-                if let Some(slot) = entries.get_mut(*at as usize) {
-                    *slot = entry;
-                }
+                entries.set_at(*at as usize, entry);
                 *at += 1;
             }
         }

@@ -2,7 +2,7 @@
 
 use super::token::TokenKind;
 use rustc_hash::FxHasher;
-use shaderlint_text::WordIndex;
+use shaderlint_text::{SetAt, WordIndex};
 use std::hash::Hasher;
 
 /// Index of a distinct word of one shader.
@@ -413,9 +413,7 @@ impl Names {
             classes,
             is_odd: word.len() > USUAL_LENGTH || !word.is_ascii(),
         });
-        if let Some(s) = self.slots.get_mut(slot) {
-            *s = index + 1;
-        }
+        self.slots.set_at(slot, index + 1);
         if self.entries.len() * 2 > self.slots.len() {
             self.grow();
         }
@@ -430,9 +428,7 @@ impl Names {
             while self.slots.get(slot).is_some_and(|&s| s != 0) {
                 slot = (slot + 1) & mask;
             }
-            if let Some(s) = self.slots.get_mut(slot) {
-                *s = index as u32 + 1;
-            }
+            self.slots.set_at(slot, index as u32 + 1);
         }
     }
 }

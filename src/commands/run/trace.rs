@@ -14,8 +14,8 @@ use shaderlint_engine::inputs::Moment;
 use shaderlint_exec::{OutputSlot, PixelTrace, TraceSite, TracedValue};
 use shaderlint_ir::{Module, Provenance};
 use shaderlint_semantic::{FunctionRef, Program};
-use shaderlint_text::Span;
 use shaderlint_text::number::seconds;
+use shaderlint_text::{SetAt, Span};
 use std::sync::Arc;
 
 /// Maximum number of steps that are recorded.
@@ -249,9 +249,7 @@ impl<'a> Sites<'a> {
         order.sort_by_key(|at| rows.get(*at).map(|row| row.start));
         let mut places = vec![0; rows.len()];
         for (new, old) in order.into_iter().enumerate() {
-            if let Some(place) = places.get_mut(old) {
-                *place = new;
-            }
+            places.set_at(old, new);
         }
         rows.sort_by_key(|row| row.start);
         for step in &mut steps {

@@ -10,6 +10,7 @@ use shaderlint_ir::{
 };
 use shaderlint_semantic::FunctionRef;
 use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::SetAt;
 
 impl<'m> Visit<'m> for Compiler<'m> {
     type Out = ();
@@ -50,9 +51,7 @@ impl<'m> Visit<'m> for Compiler<'m> {
             let value = self.operation(op).unwrap_or_default();
             let value = self.narrowed(op, value);
             let value = self.rescaled(op, value);
-            if let Some(slot) = self.values.get_mut(op.0 as usize) {
-                *slot = value;
-            }
+            self.values.set_at(op.0 as usize, value);
             self.probe(op);
             self.note_ray(op);
             self.trace_write(op);

@@ -4,6 +4,7 @@ use super::emit::{Compiler, Made, Regs, Value};
 use crate::bytecode::{InputSlot, Instr, OutputSlot, SamplerSlot, UniformSlot};
 use shaderlint_ir::Root;
 use shaderlint_semantic::{Base, FunctionRef, Type, Variable, VariableId};
+use shaderlint_text::SetAt;
 
 /// Maximum number of samplers; browsers support 16 or 32 texture units.
 const MAX_SAMPLERS: usize = 1024;
@@ -190,8 +191,6 @@ impl Compiler<'_> {
 
     pub fn set_variable(&mut self, variable: VariableId, value: Value) {
         self.locate(variable, value);
-        if let Some(slot) = self.variables.get_mut(variable.0 as usize) {
-            *slot = value;
-        }
+        self.variables.set_at(variable.0 as usize, value);
     }
 }

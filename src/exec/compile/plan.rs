@@ -13,6 +13,7 @@ use shaderlint_ir::{
 use shaderlint_semantic::BuiltinId as B;
 use shaderlint_semantic::{FunctionRef, VariableId};
 use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::SetAt;
 
 /// A pseudo-function for the global initialisers.
 pub(super) const GLOBALS: FunctionRef = FunctionRef(u32::MAX);
@@ -352,9 +353,7 @@ impl Planner<'_> {
             }
         }
         self.walk(id, body);
-        if let Some(slot) = self.plan.leaves_early.get_mut(id.0 as usize) {
-            *slot = leaves;
-        }
+        self.plan.leaves_early.set_at(id.0 as usize, leaves);
     }
 
     fn effects_of(&mut self, id: FunctionRef, function: &Function) {
@@ -547,9 +546,7 @@ fn at(ticks: &[u32], op: OpId) -> u32 {
 }
 
 fn set(ticks: &mut [u32], op: OpId, tick: u32) {
-    if let Some(slot) = ticks.get_mut(op.0 as usize) {
-        *slot = tick;
-    }
+    ticks.set_at(op.0 as usize, tick);
 }
 
 fn raise(ticks: &mut [u32], op: OpId, tick: u32) {
@@ -557,7 +554,5 @@ fn raise(ticks: &mut [u32], op: OpId, tick: u32) {
 }
 
 fn set_flag(flags: &mut [bool], op: OpId) {
-    if let Some(slot) = flags.get_mut(op.0 as usize) {
-        *slot = true;
-    }
+    flags.set_at(op.0 as usize, true);
 }

@@ -3,6 +3,7 @@
 use crate::bytecode::{MAX_REGISTERS, Reg};
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::VariableId;
+use shaderlint_text::SetAt;
 
 /// The reference count of a permanent register.
 const FOREVER: u32 = u32::MAX;
@@ -62,9 +63,7 @@ impl Registers {
         for at in 0..count {
             let reg = first.saturating_add(at as Reg);
             self.set_holders(reg, if is_forever { FOREVER } else { 1 });
-            if let Some(owner) = self.owners.get_mut(reg as usize) {
-                *owner = Some(variable);
-            }
+            self.owners.set_at(reg as usize, Some(variable));
         }
         first
     }
@@ -90,9 +89,7 @@ impl Registers {
     }
 
     fn set_holders(&mut self, reg: Reg, holders: u32) {
-        if let Some(slot) = self.holders.get_mut(reg as usize) {
-            *slot = holders;
-        }
+        self.holders.set_at(reg as usize, holders);
     }
 
     /// Increments the reference count.
@@ -113,9 +110,7 @@ impl Registers {
             0 | FOREVER => {}
             1 => {
                 *holders = 0;
-                if let Some(owner) = self.owners.get_mut(reg as usize) {
-                    *owner = None;
-                }
+                self.owners.set_at(reg as usize, None);
                 self.free.push(reg);
             }
             _ => *holders -= 1,
@@ -132,9 +127,7 @@ impl Registers {
         }
         for reg in regs() {
             self.set_holders(reg, 0);
-            if let Some(owner) = self.owners.get_mut(reg as usize) {
-                *owner = None;
-            }
+            self.owners.set_at(reg as usize, None);
         }
         self.free_rows.entry(count).or_default().push(first);
     }

@@ -5,6 +5,7 @@ use super::{Filter, Image, ImageShape, Sampling, Texels, Texture, TextureLookup,
 use crate::row::LANES;
 use fearless_simd::{SimdBase, SimdInto, f32x4};
 use shaderlint_math::{Baseline, baseline};
+use shaderlint_text::SetAt;
 
 /// The four components of a texel.
 type Components = f32x4<Baseline>;
@@ -433,8 +434,6 @@ fn lanes_of(lanes: u32) -> impl Iterator<Item = usize> {
 #[inline(always)]
 fn put<T, const N: usize>(rows: &mut [[T; LANES]; N], lane: usize, parts: [T; N]) {
     for (row, part) in rows.iter_mut().zip(parts) {
-        if let Some(slot) = row.get_mut(lane) {
-            *slot = part;
-        }
+        row.set_at(lane, part);
     }
 }

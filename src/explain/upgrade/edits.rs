@@ -6,7 +6,7 @@ use super::words::WordMap;
 use shaderlint_semantic::builtins::Stage;
 use shaderlint_semantic::{Program, Storage, globals, late_values};
 use shaderlint_syntax::{GlExtension, GroupDirective};
-use shaderlint_text::{CompiledText, Edit, Span, remove_lines};
+use shaderlint_text::{CompiledText, Edit, SetAt, Span, remove_lines};
 
 /// Maps an offset after sorted edits to the text before them.
 pub(super) fn original(edits: &[Edit], base: u32, offset: u32) -> u32 {
@@ -69,9 +69,7 @@ pub(super) fn directives(
 }
 
 fn mark(removed: &mut [bool], index: usize) {
-    if let Some(slot) = removed.get_mut(index) {
-        *slot = true;
-    }
+    removed.set_at(index, true);
 }
 
 /// Whether an `#extension` names an extension that is part of GLSL ES 3.00.

@@ -3,6 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_ir::{Binary, Module, OpId, OpKind, Place};
 use shaderlint_semantic::{Direction, Program, VariableId};
+use shaderlint_text::SetAt;
 
 /// By load passed as an argument: the `inout` parameter that receives it; `None` for a parameter whose
 /// value is unused or unknown.
@@ -35,9 +36,7 @@ pub(super) fn handed(
 pub(super) fn chosen(module: &Module) -> Vec<bool> {
     let mut chosen = vec![false; module.ops.len()];
     let mark = |chosen: &mut Vec<bool>, op: OpId| {
-        if let Some(slot) = chosen.get_mut(op.0 as usize) {
-            *slot = true;
-        }
+        chosen.set_at(op.0 as usize, true);
     };
     for op in (0..module.ops.len() as u32).rev().map(OpId) {
         match module.op(op).kind {

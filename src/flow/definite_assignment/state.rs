@@ -3,6 +3,7 @@
 use rustc_hash::FxHashMap;
 use shaderlint_semantic::VariableId;
 use shaderlint_syntax::ast::Extent;
+use shaderlint_text::SetAt;
 
 /// A variable that may be read, or left by a function, before it is assigned.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -95,9 +96,7 @@ impl AssignmentState {
         while self.trail.len() > mark
             && let Some((variable, old)) = self.trail.pop()
         {
-            if let Some(slot) = self.set.get_mut(variable as usize) {
-                *slot = old;
-            }
+            self.set.set_at(variable as usize, old);
         }
     }
 

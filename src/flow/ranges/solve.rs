@@ -5,6 +5,7 @@ use super::Query;
 use super::interval::Interval;
 use super::node::{Node, NodeSubject};
 use crate::reaching_definitions::{Def, ReachingDefinitions};
+use shaderlint_text::SetAt;
 use std::cell::Cell;
 
 /// Maximum number of ascending rounds; ranges that still change become unbounded.
@@ -163,9 +164,7 @@ impl SolverState {
     /// Caches whether a guard may hold.
     pub(super) fn keep_met(&mut self, guard: u32, is_met: bool, defs: &ReachingDefinitions) {
         self.met.resize(defs.guard_count(), None);
-        if let Some(slot) = self.met.get_mut(guard as usize) {
-            *slot = Some(is_met);
-        }
+        self.met.set_at(guard as usize, Some(is_met));
     }
 
     #[inline]
@@ -212,9 +211,7 @@ impl SolverState {
             return None;
         }
         self.count += 1;
-        if let Some(number) = self.numbers.get_mut(node.0 as usize) {
-            *number = self.count;
-        }
+        self.numbers.set_at(node.0 as usize, self.count);
         Some(SearchFrame {
             node,
             next: start,
@@ -312,9 +309,7 @@ impl SolverState {
             return false;
         }
         self.count += 1;
-        if let Some(number) = self.numbers.get_mut(node.0 as usize) {
-            *number = self.count;
-        }
+        self.numbers.set_at(node.0 as usize, self.count);
         self.put(node, range);
         true
     }

@@ -6,6 +6,7 @@ use crate::calls::Calls;
 use rustc_hash::FxHashSet;
 use shaderlint_ir::{OpKind, Root};
 use shaderlint_semantic::VariableId;
+use shaderlint_text::SetAt;
 
 impl Walker<'_> {
     /// By function: whether it is pure: it writes nothing shared and reads no mutable global.
@@ -70,9 +71,7 @@ impl Walker<'_> {
             };
             let called = calls.graph().callees(caller);
             all.extend(called.filter_map(|f| own.get(f.0 as usize)).flatten());
-            if let Some(own) = own.get_mut(caller.0 as usize) {
-                *own = all;
-            }
+            own.set_at(caller.0 as usize, all);
         }
         let sorted = own.into_iter().map(|set| {
             let mut slots: Vec<Slot> = set.into_iter().collect();

@@ -4,6 +4,7 @@ use super::def::{Def, DefId, ReachingDefinitions, Slot};
 use super::walk::{Changes, Walker};
 use shaderlint_ir::{OpId, Root};
 use shaderlint_syntax::ast::List;
+use shaderlint_text::SetAt;
 
 impl Walker<'_> {
     pub(super) fn is_full(&self) -> bool {
@@ -50,9 +51,7 @@ impl Walker<'_> {
             return entry;
         }
         let entry = self.define(Def::Entry(slot));
-        if let Some(known) = self.entries.get_mut(slot.0 as usize) {
-            *known = Some(entry);
-        }
+        self.entries.set_at(slot.0 as usize, Some(entry));
         entry
     }
 

@@ -12,6 +12,7 @@ use shaderlint_ir::{
 use shaderlint_semantic::lists::Lists;
 use shaderlint_semantic::{FunctionRef, Program, VariableId};
 use shaderlint_syntax::ast::StmtId;
+use shaderlint_text::SetAt;
 
 /// Maximum number of definitions and list entries per component of a shader. Beyond it the analysis
 /// stops and the remaining definitions are unknown.
@@ -222,9 +223,7 @@ impl<'m> Visit<'m> for Walker<'m> {
             self.test(found.condition, mark, &mut exits);
         }
         let is_back = self.is_alive && was_alive;
-        if let Some(repeats) = self.defs.repeats.get_mut(id.0 as usize) {
-            *repeats = is_back;
-        }
+        self.defs.repeats.set_at(id.0 as usize, is_back);
         for (slot, head) in heads {
             let now = self.get(slot);
             if let Some(Def::Head { init, back, .. }) = self.defs.defs.get_mut(head.0 as usize) {
@@ -241,9 +240,7 @@ impl<'m> Visit<'m> for Walker<'m> {
             _ => self.merge(&exits, first, None),
         }
         let end = self.next();
-        if let Some(slot) = self.defs.loop_defs.get_mut(id.0 as usize) {
-            *slot = (first, end);
-        }
+        self.defs.loop_defs.set_at(id.0 as usize, (first, end));
     }
 
     fn switch(&mut self, found: &'m ir::Switch) {
@@ -381,9 +378,10 @@ impl<'m> Walker<'m> {
         let last = returned.next().filter(|(f, _)| *f == function.0);
         let is_alone = returned.next().is_none_or(|(f, _)| *f != function.0);
         let is_pure = self.defs.is_pure(function);
-        if let Some(value) = self.defs.values.get_mut(function.0 as usize) {
-            *value = last.filter(|_| is_alone && is_pure).map(|(_, op)| *op);
-        }
+        self.defs.values.set_at(
+            function.0 as usize,
+            last.filter(|_| is_alone && is_pure).map(|(_, op)| *op),
+        );
         let mut exits = std::mem::take(&mut self.open_exits);
         exits.sort_by_key(|(slot, _)| *slot);
         for ways in exits.chunk_by(|a, b| a.0 == b.0) {
@@ -559,9 +557,7 @@ impl<'m> Walker<'m> {
             heads.push((slot, head));
             self.set(slot, head);
         }
-        if let Some(slot) = self.defs.loop_defs.get_mut(id.0 as usize) {
-            *slot = (first, first);
-        }
+        self.defs.loop_defs.set_at(id.0 as usize, (first, first));
         heads
     }
 
@@ -662,9 +658,7 @@ impl<'m> Walker<'m> {
         let width = spot.width(&self.defs.layout).min(self.defs.lanes_of(op));
         for lane in 0..width {
             let def = self.lane_of(spot, lane);
-            if let Some(seen) = self.defs.seen.get_mut((first + lane) as usize) {
-                *seen = def;
-            }
+            self.defs.seen.set_at((first + lane) as usize, def);
         }
         // The length of a swizzle.
         if spot.lanes.is_some()
@@ -678,9 +672,7 @@ impl<'m> Walker<'m> {
                     self.measured(&parts.unwrap_or_default())
                 }
             };
-            if let Some(seen) = self.defs.seen.get_mut((first + lane) as usize) {
-                *seen = def;
-            }
+            self.defs.seen.set_at((first + lane) as usize, def);
         }
     }
 

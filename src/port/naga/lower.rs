@@ -16,7 +16,7 @@ use shaderlint_semantic::interface::{Block, Interface};
 use shaderlint_semantic::{
     Function, FunctionRef, Inside, Program, Sampler, Stage, Type, Variable, VariableId,
 };
-use shaderlint_text::Span;
+use shaderlint_text::{SetAt, Span};
 
 /// A shader as a naga module.
 pub struct Lowered {
@@ -179,9 +179,7 @@ impl<'p> NagaLowerer<'p> {
 
     /// Records the result of an operation.
     pub(super) fn give(&mut self, id: OpId, given: Emitted) {
-        if let Some(slot) = self.given.get_mut(id.0 as usize) {
-            *slot = given;
-        }
+        self.given.set_at(id.0 as usize, given);
     }
 
     /// The number of stores to a variable.

@@ -16,7 +16,7 @@ use serde::Serialize;
 use shaderlint_project::Slider;
 use shaderlint_project::is_gray;
 use shaderlint_semantic::{Pass, Sampler, Stage};
-use shaderlint_text::{FileId, Role, SourceFile};
+use shaderlint_text::{FileId, Role, SetAt, SourceFile};
 use tuned::sliders;
 
 #[derive(Serialize)]
@@ -167,9 +167,10 @@ pub(super) fn passes<'a>(project: &'a Project, composed: &Composed) -> Vec<PassD
         let last = pass.inputs.iter().map(|i| usize::from(i.channel) + 1).max();
         let mut inputs: Vec<_> = (0..last.unwrap_or(0).max(4)).map(|_| None).collect();
         for input in &pass.inputs {
-            if let Some(slot) = inputs.get_mut(input.channel as usize) {
-                *slot = Some(input_data(input, drawn_by(&input.id), draws_cube));
-            }
+            inputs.set_at(
+                input.channel as usize,
+                Some(input_data(input, drawn_by(&input.id), draws_cube)),
+            );
         }
         PassData {
             kind: kind_word(pass.kind),

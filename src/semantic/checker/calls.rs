@@ -1,6 +1,7 @@
 //! Checks of the call graph, once all functions are known (GLSL ES 3.00 section 6.1).
 
 use super::*;
+use shaderlint_text::SetAt;
 
 /// Deepest call chain that the browser accepts.
 const MAX_CALL_DEPTH: u32 = 256;
@@ -71,9 +72,7 @@ impl Checker<'_> {
                 continue;
             }
             while let Some((function, next)) = stack.pop() {
-                if let Some(mark) = marks.get_mut(function) {
-                    *mark = VisitMark::Open;
-                }
+                marks.set_at(function, VisitMark::Open);
                 let list = callees.get(function).map_or(&[][..], Vec::as_slice);
                 if let Some(&(callee, _)) = list.get(next) {
                     stack.push((function, next + 1));
@@ -101,9 +100,7 @@ impl Checker<'_> {
                     .max()
                     .unwrap_or(0)
                     + 1;
-                if let Some(mark) = marks.get_mut(function) {
-                    *mark = VisitMark::Done(depth);
-                }
+                marks.set_at(function, VisitMark::Done(depth));
                 if depth > MAX_CALL_DEPTH && !reported_depth {
                     reported_depth = true;
                     self.call_too_deep(function);

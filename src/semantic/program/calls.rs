@@ -2,6 +2,7 @@
 
 use crate::lists::Lists;
 use crate::{FunctionRef, Program};
+use shaderlint_text::SetAt;
 use std::collections::VecDeque;
 
 /// Calls between a shader's functions, indexed by callee and by caller.
@@ -77,9 +78,7 @@ impl CallGraph {
         for function in self.bottom_up() {
             let reaches = |callee: FunctionRef| reaching.get(callee.0 as usize) == Some(&true);
             let is_one = is_goal(function) || self.callees(function).any(reaches);
-            if let Some(slot) = reaching.get_mut(function.0 as usize) {
-                *slot = is_one;
-            }
+            reaching.set_at(function.0 as usize, is_one);
         }
         reaching
     }

@@ -2,6 +2,7 @@
 
 use crate::{FunctionRef, Program};
 use shaderlint_syntax::ast::*;
+use shaderlint_text::SetAt;
 
 /// The parents of all expressions and statements.
 ///
@@ -28,9 +29,7 @@ impl Ups {
     }
 
     fn set(&mut self, index: u32, above: u32) {
-        if let Some(slot) = self.0.get_mut(index as usize) {
-            *slot = above;
-        }
+        self.0.set_at(index as usize, above);
     }
 
     fn at(&self, index: u32) -> Option<u32> {

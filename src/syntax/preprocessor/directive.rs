@@ -9,7 +9,7 @@ use crate::names::Name;
 use crate::token::{RawKind, Token, TokenKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_diagnostic::{Fix, error};
-use shaderlint_text::{Edit, Role, Span};
+use shaderlint_text::{Edit, Role, SetAt, Span};
 
 impl Preprocessor<'_> {
     /// Defines the predefined macros of the language.
@@ -51,9 +51,7 @@ impl Preprocessor<'_> {
             self.macro_of.resize(at + 64, 0);
         }
         self.macros.push(definition);
-        if let Some(slot) = self.macro_of.get_mut(at) {
-            *slot = self.macros.len() as u32;
-        }
+        self.macro_of.set_at(at, self.macros.len() as u32);
     }
 
     /// Parses the directive that starts with the `#` at `hash`, up to the end of its line.

@@ -3,6 +3,7 @@
 use crate::messages::*;
 use shaderlint_semantic::typing::{LENGTH, SWIZZLES};
 use shaderlint_syntax::{Meaning, foreign};
+use shaderlint_text::SetAt;
 
 /// Most members of a struct that a message lists.
 const MAX_LISTED: usize = 12;
@@ -327,9 +328,7 @@ impl ExplainContext<'_> {
             let own = own.filter(|&c| !out.contains(&Some(c)));
             let free = own.or_else(|| has.chars().find(|&c| !out.contains(&Some(c))));
             let letter = free.or(has.chars().last());
-            if let Some(slot) = out.get_mut(at) {
-                *slot = letter;
-            }
+            out.set_at(at, letter);
         }
         let replaced: String = out.into_iter().flatten().collect();
         let edits = vec![Edit::replace(self.token_span(token), replaced.clone())];

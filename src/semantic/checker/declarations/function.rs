@@ -4,6 +4,7 @@ use super::qualifier::StorageRequest;
 use crate::builtins::Overload;
 use crate::checker::*;
 use rustc_hash::FxHasher;
+use shaderlint_text::SetAt;
 use std::hash::{Hash, Hasher};
 
 /// An error in the header of a function, or between its declarations.
@@ -188,9 +189,8 @@ impl Checker<'_> {
             }
             let id =
                 self.declare_variable(ident, ty, Storage::Param(direction), false, Constant::NONE);
-            if let Some(slot) = self.declared_params.get_mut(decl.params.start as usize + i) {
-                *slot = id;
-            }
+            self.declared_params
+                .set_at(decl.params.start as usize + i, id);
         }
         if !known {
             self.scopes_declare_unknown_function(decl.ident);
