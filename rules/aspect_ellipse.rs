@@ -1,11 +1,7 @@
 //! Circles that are drawn as ellipses, and rotations that shear, on a canvas that is not square.
 
-use shaderlint_flow::{Start, Varying};
-use shaderlint_ir::{Binary, OpId, OpKind, Unary};
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::screen::{Along, along};
-use shaderlint_lint::{BinaryExpr, Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::{BinaryOp, ExprId};
 
 rule! {
     aspect_ellipse, Look, Info, Recommended,

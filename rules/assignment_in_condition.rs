@@ -1,9 +1,6 @@
 //! `if (a = b)`.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { assignment_in_condition, Tidy, Warning, Recommended, Stmt(check) }
 

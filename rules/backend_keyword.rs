@@ -1,8 +1,7 @@
 //! Names that other shading languages reserve.
 
 use rustc_hash::FxHashMap;
-use shaderlint_lint::{Context, DeclaredName, Setting};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
 use std::sync::LazyLock;
 
 rule! { backend_keyword, Portability, Info, Strict, [Switch(&WGSL)], Name(check) }

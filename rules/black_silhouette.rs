@@ -1,9 +1,8 @@
 //! Scenes in which no surface is lit.
 
-use shaderlint_exec::{Observations, Watch};
-use shaderlint_lint::Context;
+use shaderlint_exec::Observations;
 use shaderlint_lint::march::Hit;
-use shaderlint_lint::sample::{Round, SampleRun, SampledPixel, share};
+use shaderlint_lint::prelude::*;
 use std::collections::BTreeMap;
 
 rule! { black_silhouette, Runtime, Warning, Recommended, Run(check) }

@@ -1,9 +1,7 @@
 //! Rays that stop at their first step because the camera is inside an object.
 
-use shaderlint_lint::Context;
 use shaderlint_lint::march::RayCounts;
-use shaderlint_lint::sample::SampleRun;
-use shaderlint_text::number::grouped;
+use shaderlint_lint::prelude::*;
 
 rule! { camera_inside, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,9 +1,6 @@
 //! `clamp` with crossed bounds or misplaced arguments.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { clamp_bounds, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,7 +1,6 @@
 //! A `\` at the end of a `//` comment, which makes the next line part of the comment.
 
-use shaderlint_lint::Context;
-use shaderlint_text::Span;
+use shaderlint_lint::prelude::*;
 
 rule! { comment_continues, Tidy, Warning, Recommended, Program(check) }
 

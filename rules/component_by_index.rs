@@ -1,8 +1,6 @@
 //! Vector components and elements of local arrays selected by a non-constant index.
 
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::Storage;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { component_by_index, Portability, Info, Strict, Expr(&[Shape::Index], check) }
 

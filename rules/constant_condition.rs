@@ -1,9 +1,6 @@
 //! Comparisons of literals, and of a `uint` with zero, that always give the same result.
 
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::each_operand;
-use shaderlint_semantic::{Scalar, Value};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { constant_condition, Tidy, Warning, Recommended, Binary(check) }
 

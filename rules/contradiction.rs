@@ -1,8 +1,6 @@
 //! `x > 0.5 && x < 0.2`, `k != 1 || k != 2`.
 
-use shaderlint_lint::{BinaryExpr, Context, same_code};
-use shaderlint_semantic::{Program, Scalar};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { contradiction, Tidy, Warning, Recommended, Binary(check) }
 

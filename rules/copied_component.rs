@@ -1,9 +1,7 @@
 //! `p.x*p.x + p.x*p.x`: a component that was copied without being changed.
 
-use shaderlint_lint::{BinaryExpr, Context, Shape, same_code};
-use shaderlint_semantic::Program;
-use shaderlint_syntax::ast::*;
-use shaderlint_syntax::{Token, TokenKind};
+use shaderlint_lint::prelude::*;
+use shaderlint_syntax::Token;
 
 rule! {
     copied_component, Tidy, Warning, Recommended,

@@ -1,10 +1,6 @@
 //! Variables with a constant value that are never modified.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, DeclaredVariable};
-use shaderlint_semantic::Storage;
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { could_be_const, Tidy, Info, Strict, Declaration(check) }
 

@@ -1,9 +1,7 @@
 //! An `else` that is aligned with one `if` but belongs to another.
 
-use shaderlint_lint::Context;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_syntax::TokenKind;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { dangling_else, Tidy, Warning, Recommended, Stmt(check) }
 

@@ -1,8 +1,7 @@
 //! Frames in which almost nothing is visible.
 
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::{SampleFrame, SampleRun, luminance, share};
-use shaderlint_text::number::rounded_percent;
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::sample::luminance;
 
 rule! { dark_frame, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,8 +1,6 @@
 //! Statements that never run.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, remove_statement};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { dead_code, Tidy, Info, Recommended, Stmt(check) }
 

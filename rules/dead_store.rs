@@ -1,8 +1,6 @@
 //! Values that are overwritten or dropped before they are read.
 
-use shaderlint_lint::{Context, DeclaredVariable, Shape};
-use shaderlint_semantic::{Storage, VariableId};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! {
     dead_store, Tidy, Info, Recommended,

@@ -1,12 +1,7 @@
 //! `#define SUN_DIR normalize(vec3(0.8, 0.4, -0.6))`.
 
 use rustc_hash::FxHashMap;
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
-use shaderlint_semantic::Type;
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_syntax::{Macro, TokenKind, Version};
-use shaderlint_text::{Edit, Span};
+use shaderlint_lint::prelude::*;
 
 rule! { define_with_call, Tidy, Info, Strict, Program(check) }
 

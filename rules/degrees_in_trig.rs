@@ -1,12 +1,7 @@
 //! Angles in degrees where radians are expected.
 
-use shaderlint_diagnostic::Fix;
 use shaderlint_flow::reaching_definitions::Def;
-use shaderlint_ir::OpKind;
-use shaderlint_lint::{Builtin, Context, Shape};
-use shaderlint_semantic::{BuiltinId, FunctionRef, Resolution, VariableId};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! {
     degrees_in_trig, Numeric, Warning, Recommended,

@@ -1,11 +1,7 @@
 //! Derivatives in code that only some neighbouring pixels run.
 
-use shaderlint_flow::{ControlId, DivergenceCause, Varying};
-use shaderlint_ir::{OpId, Provenance};
-use shaderlint_lint::Context;
-use shaderlint_semantic::{BuiltinId, Storage};
-use shaderlint_syntax::ast::StmtKind;
-use shaderlint_text::Span;
+use shaderlint_flow::{ControlId, DivergenceCause};
+use shaderlint_lint::prelude::*;
 
 rule! { derivative_in_divergent_flow, Portability, Info, Recommended, Program(check) }
 

@@ -1,7 +1,6 @@
 //! Derivatives of discontinuous values.
 
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { derivative_of_jump, Numeric, Warning, Recommended, Builtin(check) }
 

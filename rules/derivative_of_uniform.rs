@@ -1,8 +1,6 @@
 //! Derivatives of values that are the same for all pixels.
 
-use shaderlint_flow::Varying;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Stage};
+use shaderlint_lint::prelude::*;
 
 rule! { derivative_of_uniform, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,10 +1,8 @@
 //! Divisions by zero that occurred in a sample run.
 
-use shaderlint_exec::{FaultKind, NumberObservation};
-use shaderlint_ir::OpId;
-use shaderlint_lint::Context;
+use shaderlint_exec::NumberObservation;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::sample::OFTEN;
-use shaderlint_semantic::Scalar;
 
 rule! { division_by_zero_seen, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,9 +1,6 @@
 //! Gamma correction of a colour that is already corrected.
 
-use shaderlint_flow::Start;
-use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { double_gamma, Look, Warning, Recommended, Builtin(check) }
 

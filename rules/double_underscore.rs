@@ -1,7 +1,6 @@
 //! Macro names with two consecutive underscores.
 
-use shaderlint_lint::Context;
-use shaderlint_syntax::Macro;
+use shaderlint_lint::prelude::*;
 
 rule! { double_underscore, Portability, Info, Recommended, Macro(check) }
 

@@ -1,8 +1,8 @@
 //! Identical branches, and conditions that are tested twice.
 
 use rustc_hash::FxHashMap;
-use shaderlint_lint::{Context, Shape, code_hash, same_code};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::code_hash;
+use shaderlint_lint::prelude::*;
 
 rule! {
     duplicate_branch, Tidy, Warning, Recommended,

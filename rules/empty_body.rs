@@ -1,10 +1,7 @@
 //! `if (x); { ... }`: a semicolon that is the entire body.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { empty_body, Tidy, Warning, Recommended, Stmt(check) }
 

@@ -1,12 +1,8 @@
 //! Marching loops without a maximum distance, in which rays that miss take all steps.
 
-use shaderlint_exec::Watch;
 use shaderlint_flow::{HitTest, RayKind};
-use shaderlint_lint::Context;
 use shaderlint_lint::march::March;
-use shaderlint_lint::sample::{Round, SampleRun};
-use shaderlint_syntax::ast::Extent;
-use shaderlint_text::number::{grouped, rounded_percent};
+use shaderlint_lint::prelude::*;
 
 rule! { endless_rays, Budget, Info, Recommended, Run(check) }
 

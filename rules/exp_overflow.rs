@@ -1,7 +1,6 @@
 //! Exponential functions of arguments that are too large.
 
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { exp_overflow, Numeric, Warning, Recommended, Builtin(check) }
 

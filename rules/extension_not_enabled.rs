@@ -1,9 +1,7 @@
 //! Extensions that a shader uses and nothing is known to enable.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::Program;
-use shaderlint_syntax::{EXTENSIONS, ExtensionFacts, Name, TokenKind};
-use shaderlint_text::Span;
+use shaderlint_lint::prelude::*;
+use shaderlint_syntax::{EXTENSIONS, ExtensionFacts, Name};
 
 rule! { extension_not_enabled, Webgl2, Warning, Recommended, Program(check) }
 

@@ -1,9 +1,8 @@
 //! Frames of one colour, and frames in which no ray hits anything.
 
-use shaderlint_lint::Context;
 use shaderlint_lint::march::MarchOutcome;
-use shaderlint_lint::sample::{SampleFrame, SampleRun, SampledPixel, is_too_bright};
-use shaderlint_text::number::grouped;
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::sample::is_too_bright;
 
 rule! { flat_frame, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,8 +1,6 @@
 //! Float counters where rounding changes the number of iterations.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Program, Scalar, Value, VariableId};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { float_counter_drift, Numeric, Warning, Recommended, Stmt(check) }
 

@@ -1,10 +1,7 @@
 //! `a == b` on floats when one side is rounded.
 
-use shaderlint_flow::Varying;
-use shaderlint_flow::ranges::{Interval, Rounding};
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::{Scalar, Storage};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_flow::ranges::Rounding;
+use shaderlint_lint::prelude::*;
 
 rule! { float_equality, Numeric, Warning, Recommended, Binary(check) }
 

@@ -1,11 +1,7 @@
 //! Images that depend on the last digits of a sine, a square root or a division.
 
 use shaderlint_exec::{CompileOptions, ErrorDirection, GpuProfile};
-use shaderlint_ir::OpKind;
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::Round;
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::number::rounded_percent;
+use shaderlint_lint::prelude::*;
 
 rule! { gpu_dependent_picture, Runtime, Info, Strict, Run(check) }
 

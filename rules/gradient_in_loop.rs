@@ -1,8 +1,7 @@
 //! Derivatives in loops that pixels exit at different iterations.
 
 use shaderlint_flow::DivergenceCause;
-use shaderlint_lint::Context;
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
 
 rule! { gradient_in_loop, Portability, Info, Recommended, Program(check) }
 

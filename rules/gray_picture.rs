@@ -1,7 +1,7 @@
 //! Images that look gray although their channels differ.
 
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::{SampleRun, SampledPixel, luminance, share};
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::sample::luminance;
 
 rule! { gray_picture, Runtime, Info, All, Run(check) }
 

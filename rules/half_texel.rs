@@ -1,9 +1,6 @@
 //! Texture lookups at the corners of texels.
 
-use shaderlint_flow::Start;
-use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Scalar};
+use shaderlint_lint::prelude::*;
 
 rule! { half_texel, Numeric, Info, Recommended, Builtin(check) }
 

@@ -1,8 +1,6 @@
 //! `x * 1.0`, `x + 0.0`, `pow(x, 1.0)`.
 
-use shaderlint_lint::{BinaryExpr, Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { identity_operation, Tidy, Info, Strict, Binary(check_binary), Builtin(check_builtin) }
 

@@ -1,10 +1,6 @@
 //! Indices outside their array, vector or matrix.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::Type;
-use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! { index_range, Numeric, Warning, Recommended, Expr(&[Shape::Index], check) }
 

@@ -1,7 +1,6 @@
 //! Pixels with infinite colour values.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::sample::report_broken;
 
 rule! { infinite_pixels, Runtime, Info, Recommended, Run(check) }

@@ -1,8 +1,7 @@
 //! One variable passed to two output parameters, or passed and used as a global.
 
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::{Direction, FunctionRef, Resolution, Storage, VariableId, swizzled};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::swizzled;
 
 rule! { inout_alias, Numeric, Warning, Recommended, Expr(&[Shape::Call], check) }
 

@@ -1,10 +1,6 @@
 //! Integer divisions that discard the fractional part unintentionally.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::{Scalar, Value};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { integer_division, Numeric, Warning, Recommended, Binary(check) }
 

@@ -1,11 +1,6 @@
 //! `asin` and `acos` of arguments outside -1.0..1.0.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { inverse_trig_range, Numeric, Warning, Recommended, Builtin(check) }
 

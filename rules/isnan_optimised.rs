@@ -1,7 +1,6 @@
 //! `isnan` and `isinf`, which compilers may optimise away.
 
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { isnan_optimised, Portability, Info, Strict, Builtin(check) }
 

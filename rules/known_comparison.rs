@@ -1,10 +1,8 @@
 //! Comparisons where the ranges of both sides decide the result.
 
-use shaderlint_flow::ranges::{Interval, Rounding};
+use shaderlint_flow::ranges::Rounding;
 use shaderlint_lint::given::{depends_on_callers, is_exact, is_of_uniforms};
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::{Scalar, Storage};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { known_comparison, Numeric, Warning, Recommended, Binary(check) }
 

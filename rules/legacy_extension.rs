@@ -1,8 +1,8 @@
 //! `#extension` for features that are built into GLSL ES 3.00.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, remove_lines};
-use shaderlint_syntax::{GlExtension, Version};
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::remove_lines;
+use shaderlint_syntax::GlExtension;
 
 rule! { legacy_extension, Webgl2, Warning, Recommended, Program(check) }
 

@@ -1,8 +1,6 @@
 //! `length(p) < r`: a square root that the comparison does not need.
 
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { length_compare, Budget, Info, Performance, Binary(check) }
 

@@ -1,9 +1,6 @@
 //! Logarithms of zero and of negative numbers.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { log_nonpositive, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,11 +1,9 @@
 //! Expensive calls that return the same value in every iteration of a loop.
 
-use shaderlint_flow::LoopFacts;
 use shaderlint_lint::loop_invariant::{
     InvariantLoops, Places, is_loop_invariant, runs_each_iteration,
 };
-use shaderlint_lint::{Context, Setting};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { loop_invariant_call, Budget, Info, Recommended, [Number(&OPERATIONS)], Program(check) }
 

@@ -1,12 +1,10 @@
 //! Expensive built-in functions that return the same value in every iteration of a loop.
 
-use shaderlint_flow::{Bound, LoopFacts};
-use shaderlint_lint::Context;
+use shaderlint_flow::Bound;
 use shaderlint_lint::loop_invariant::{
     InvariantLoops, Places, is_loop_invariant, runs_each_iteration,
 };
-use shaderlint_semantic::{BuiltinId, Program, Resolution, each_operand};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { loop_invariant_math, Budget, Info, Performance, Program(check) }
 

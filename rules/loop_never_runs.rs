@@ -1,8 +1,6 @@
 //! Loops whose condition is false from the start.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Program, Value};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { loop_never_runs, Tidy, Warning, Recommended, Stmt(check) }
 

@@ -1,10 +1,6 @@
 //! Luma weights that do not add up to 1.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { luma_weights, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,12 +1,8 @@
 //! `#define SUM a + b` in a product, `#define SQ(x) x*x` of a sum.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
 use shaderlint_lint::expansion::{Expanded, expanded, expanded_inside, spelling};
-use shaderlint_semantic::Program;
-use shaderlint_syntax::ast::{Extent, TokenId};
-use shaderlint_syntax::{Macro, Token, TokenKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
+use shaderlint_syntax::Token;
 use std::collections::BTreeMap;
 
 rule! { macro_parentheses, Tidy, Warning, Recommended, Program(check) }

@@ -1,9 +1,7 @@
 //! `if (hit) MACRO;` where the macro expands to more than one statement.
 
-use shaderlint_lint::Context;
 use shaderlint_lint::expansion::{Expanded, expanded};
-use shaderlint_syntax::TokenKind;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { macro_statements, Tidy, Warning, Recommended, Program(check) }
 

@@ -1,10 +1,6 @@
 //! `void mainImage(vec4 color, vec2 coord)`: a colour that never reaches the caller.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Direction, FunctionRef, Scalar, Type};
-use shaderlint_syntax::ast::{Extent, QualifierKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { mainimage_qualifiers, Webgl2, Warning, Recommended, Function(check) }
 

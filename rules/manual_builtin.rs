@@ -2,12 +2,8 @@
 
 use BinaryOp::{Add, Div, Mul, Sub};
 use Formula::{Binary, Call, Number, Operand, Unary};
-use shaderlint_diagnostic::Fix;
 use shaderlint_lint::formula::{Formula, operands};
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::{BuiltinId, Scalar, Type};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { manual_builtin, Tidy, Info, Strict, Expr(&[Shape::Binary, Shape::Call], check) }
 

@@ -1,9 +1,6 @@
 //! Large scene functions that one function calls many times.
 
-use shaderlint_lint::{Context, Setting};
-use shaderlint_semantic::FunctionRef;
-use shaderlint_syntax::ast::ExprId;
-use shaderlint_text::number::grouped;
+use shaderlint_lint::prelude::*;
 use std::collections::BTreeMap;
 
 rule! { map_inlining, Budget, Info, Recommended, [Count(&CALLS), Number(&SIZE)], Function(check) }

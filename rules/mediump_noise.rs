@@ -1,11 +1,8 @@
 //! Hashes and time in `mediump` or `lowp`.
 
-use shaderlint_flow::Start;
-use shaderlint_ir::{Binary, Module, OpId, OpKind, Precision, Unary};
-use shaderlint_lint::{Context, Setting};
-use shaderlint_semantic::{BuiltinId, Stage, Storage};
+use shaderlint_ir::Precision;
+use shaderlint_lint::prelude::*;
 use shaderlint_syntax::TypeWord;
-use shaderlint_syntax::ast::*;
 
 rule! { mediump_noise, Portability, Warning, Recommended, [Number(&FACTOR)], Program(check) }
 

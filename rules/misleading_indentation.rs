@@ -1,8 +1,7 @@
 //! A statement that is indented as if an `if` or loop controlled it, but follows it.
 
-use shaderlint_lint::Context;
 use shaderlint_lint::indent::{indent, line_indent};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { misleading_indentation, Tidy, Warning, Recommended, Stmt(check) }
 

@@ -1,9 +1,6 @@
 //! `x =- 1.0` where `x -= 1.0` is meant.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, Shape};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::{Edit, Span};
+use shaderlint_lint::prelude::*;
 
 rule! { misplaced_sign, Tidy, Warning, Recommended, Expr(&[Shape::Assign], check) }
 

@@ -1,10 +1,7 @@
 //! Marching loops whose rays step over a surface.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
 use shaderlint_lint::march::{March, StepLength, limit_edit, step_edits};
-use shaderlint_syntax::ast::Extent;
-use shaderlint_text::number::{decimals, rounded_percent};
+use shaderlint_lint::prelude::*;
 
 rule! { missed_surface, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,7 +1,6 @@
 //! Functions that may end without returning a value.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::FunctionRef;
+use shaderlint_lint::prelude::*;
 
 rule! { missing_return_path, Numeric, Warning, Recommended, Function(check) }
 

@@ -1,9 +1,6 @@
 //! Well-known numbers with wrong digits.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, Shape};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 use std::f64::consts::{E, FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 
 rule! { mistyped_constant, Numeric, Warning, Recommended, Expr(&[Shape::FloatLiteral], check) }

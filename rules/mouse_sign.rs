@@ -1,10 +1,6 @@
 //! The click position in `iMouse.zw`, used without removing its sign, and its sign used as a button.
 
-use shaderlint_flow::Start;
-use shaderlint_ir::{Binary, OpId, OpKind};
-use shaderlint_lint::{BinaryExpr, Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Dialect, Pass, Scalar, each_operand};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! { mouse_sign, Webgl2, Warning, Recommended, Binary(check_binary), Builtin(check_distance) }
 

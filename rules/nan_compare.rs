@@ -1,11 +1,6 @@
 //! `x != x` as a test for NaN.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::Scalar;
-use shaderlint_syntax::Version;
-use shaderlint_syntax::ast::BinaryOp;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { nan_compare, Numeric, Warning, Recommended, Binary(check) }
 

@@ -1,7 +1,6 @@
 //! Pixels that are NaN.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::sample::report_broken;
 
 rule! { nan_pixels, Runtime, Warning, Recommended, Run(check) }

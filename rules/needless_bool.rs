@@ -1,9 +1,6 @@
 //! `x == true`, `c ? true : false`, `!!a`.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{BinaryExpr, Context, Shape};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 /// Longest expression that a fix repeats, in bytes.
 const MAX_LENGTH: usize = 200;

@@ -1,9 +1,6 @@
 //! `%` with negative operands.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::Scalar;
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 /// Limit of the number that the help adds, so that the sum does not overflow.
 const MAX_ADDED: f64 = 1e6;

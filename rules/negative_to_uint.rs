@@ -1,11 +1,6 @@
 //! Negative floats that are converted to unsigned integers.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::Scalar;
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { negative_to_uint, Numeric, Warning, Recommended, Expr(&[Shape::Construct], check) }
 

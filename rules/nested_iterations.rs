@@ -1,7 +1,6 @@
 //! Nested loops with too many iterations per pixel.
 
-use shaderlint_lint::{Context, Setting};
-use shaderlint_syntax::ast::{Extent, StmtKind};
+use shaderlint_lint::prelude::*;
 
 rule! { nested_iterations, Budget, Info, Recommended, [Number(&ITERATIONS)], Program(check) }
 

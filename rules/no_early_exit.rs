@@ -1,9 +1,6 @@
 //! Scene functions that evaluate every primitive at every step of a ray.
 
-use shaderlint_lint::{Context, Setting};
-use shaderlint_semantic::{FunctionRef, Resolution};
-use shaderlint_semantic::{each_inner, each_operand};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! {
     no_early_exit, Budget, Info, Performance,

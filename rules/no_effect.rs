@@ -1,10 +1,7 @@
 //! Expressions with an unused value and no side effect.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, Shape, remove_statement};
-use shaderlint_semantic::{Direction, Resolution, Storage, is_dropped};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::is_dropped;
 
 rule! {
     no_effect, Tidy, Warning, Recommended,

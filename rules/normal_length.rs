@@ -1,7 +1,6 @@
 //! Vectors that must have length 1 and do not.
 
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { normal_length, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,7 +1,6 @@
 //! `normalize` of a zero vector.
 
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { normalize_zero, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,9 +1,6 @@
 //! `010`, which is eight.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
-use shaderlint_syntax::TokenKind;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { octal_literal, Tidy, Warning, Recommended, Program(check) }
 

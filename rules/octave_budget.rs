@@ -1,10 +1,9 @@
 //! Noise sums with more octaves than are visible.
 
 use shaderlint_flow::reaching_definitions::{Def, DefId, ReachingDefinitions};
-use shaderlint_ir::{Binary, LoopId, Module, OpId, OpKind};
-use shaderlint_lint::{Context, Setting};
+use shaderlint_ir::LoopId;
+use shaderlint_lint::prelude::*;
 use shaderlint_semantic::tunable::range_after;
-use shaderlint_syntax::ast::StmtId;
 
 rule! { octave_budget, Budget, Info, Performance, [Count(&OCTAVES)], Stmt(check) }
 

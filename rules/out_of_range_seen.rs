@@ -1,7 +1,6 @@
 //! Indices that were out of range in a sample run.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 
 rule! { out_of_range_seen, Runtime, Warning, Recommended, Run(check) }
 

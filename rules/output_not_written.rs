@@ -1,8 +1,7 @@
 //! Outputs that a function does not write.
 
 use shaderlint_flow::PartMask;
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Dialect, FunctionRef, Pass, VariableId};
+use shaderlint_lint::prelude::*;
 
 rule! { output_not_written, Numeric, Warning, Recommended, Function(check) }
 

@@ -1,8 +1,6 @@
 //! Parameters that the function overwrites before it reads them.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Direction, FunctionRef, Storage};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
 
 rule! { overwritten_parameter, Tidy, Info, Recommended, Function(check) }
 

@@ -1,12 +1,7 @@
 //! `mod` with a period that is close to, but not, a multiple of the period of `sin`.
 
-use shaderlint_diagnostic::Fix;
 use shaderlint_flow::{AngleUse, angle_uses, period};
-use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::Context;
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 use std::f64::consts::TAU;
 
 rule! { period_jump, Numeric, Warning, Recommended, Program(check) }

@@ -1,10 +1,6 @@
 //! `pow` with a small integer exponent in a loop.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Value};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { pow_in_loop, Budget, Info, Performance, Builtin(check) }
 

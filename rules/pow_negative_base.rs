@@ -1,12 +1,6 @@
 //! `pow` of a negative number.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Value};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { pow_negative_base, Numeric, Warning, Recommended, Builtin(check) }
 

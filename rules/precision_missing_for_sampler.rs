@@ -1,8 +1,7 @@
 //! Samplers of data that default to `lowp`.
 
-use shaderlint_lint::{Context, DeclaredVariable};
-use shaderlint_semantic::{Base, BuiltinId, Sampler, Storage, VariableId};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::{Base, Sampler};
 
 rule! { precision_missing_for_sampler, Portability, Info, Recommended, Declaration(check) }
 

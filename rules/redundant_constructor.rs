@@ -1,9 +1,6 @@
 //! Constructors that convert nothing: `vec3(v)` of a `vec3`, `float(1.0)`.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, Shape};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::{Edit, Span};
+use shaderlint_lint::prelude::*;
 
 rule! { redundant_constructor, Tidy, Info, Strict, Expr(&[Shape::Construct], check) }
 

@@ -1,12 +1,7 @@
 //! `normalize` of a vector that is already normalized.
 
-use shaderlint_diagnostic::Fix;
 use shaderlint_flow::reaching_definitions::Def;
-use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::ExprId;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { redundant_normalize, Budget, Info, Performance, Builtin(check) }
 

@@ -1,11 +1,8 @@
 //! The same expensive call twice in one statement, where compilers do not merge the calls.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use shaderlint_flow::LoopFacts;
-use shaderlint_lint::{Context, Setting};
-use shaderlint_semantic::{FunctionRef, Program, each_expr, each_operand};
-use shaderlint_syntax::TokenKind;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::each_expr;
 use std::collections::hash_map::Entry;
 
 rule! { repeated_call, Budget, Info, Recommended, [Number(&OPERATIONS)], Program(check) }

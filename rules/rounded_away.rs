@@ -1,8 +1,6 @@
 //! Numbers so close to another one, or so small, that rounding removes the difference.
 
-use shaderlint_lint::{BinaryExpr, Context, Shape};
-use shaderlint_semantic::{Program, Scalar};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! {
     rounded_away, Numeric, Warning, Recommended,

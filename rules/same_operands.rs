@@ -1,9 +1,8 @@
 //! The same operand twice: `x - x`, `max(a, a)`, `a || b || a`.
 
 use rustc_hash::FxHashMap;
-use shaderlint_lint::{BinaryExpr, Builtin, Context, code_hash, same_code};
-use shaderlint_semantic::{BuiltinId, Scalar};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::code_hash;
+use shaderlint_lint::prelude::*;
 
 rule! { same_operands, Tidy, Warning, Recommended, Binary(check_binary), Builtin(check_builtin) }
 

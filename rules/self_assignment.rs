@@ -1,9 +1,6 @@
 //! `x = x`, and `y = x; x = y`.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, Shape, remove_statement, same_code};
-use shaderlint_semantic::VariableId;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! {
     self_assignment, Tidy, Warning, Recommended,

@@ -1,8 +1,7 @@
 //! Shadow loops that continue after the light is blocked.
 
 use shaderlint_lint::march::MarchGoal;
-use shaderlint_lint::{Context, Setting};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
 
 rule! { shadow_steps, Budget, Info, Recommended, [Count(&STEPS)], Program(check) }
 

@@ -1,8 +1,8 @@
 //! Variables that shadow a variable of an outer scope.
 
-use shaderlint_lint::{Context, DeclaredName, Named};
-use shaderlint_semantic::{Storage, Variable};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::Named;
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::Variable;
 
 rule! { shadowed_name, Tidy, Info, Strict, Name(check) }
 

@@ -1,9 +1,8 @@
 //! Variables and functions that shadow a built-in function.
 
-use shaderlint_lint::{Context, DeclaredName, Named};
-use shaderlint_semantic::Storage;
+use shaderlint_lint::Named;
+use shaderlint_lint::prelude::*;
 use shaderlint_semantic::builtins::Builtins;
-use shaderlint_syntax::ast::Extent;
 
 rule! { shadows_builtin, Portability, Info, Strict, Name(check) }
 

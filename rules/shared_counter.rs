@@ -1,8 +1,6 @@
 //! Nested loops that use the same counter.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Program, VariableId};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { shared_counter, Tidy, Warning, Recommended, Stmt(check) }
 

@@ -1,9 +1,6 @@
 //! Sums next to a shift without parentheses: `1 << n - 1`.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_syntax::ast::*;
-use shaderlint_text::{Edit, Span};
+use shaderlint_lint::prelude::*;
 
 rule! { shift_precedence, Tidy, Warning, Recommended, Binary(check) }
 

@@ -1,9 +1,6 @@
 //! Shift amounts that are negative, or 32 and more.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Context, Shape};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! { shift_range, Numeric, Warning, Recommended, Expr(&[Shape::Binary, Shape::Assign], check) }
 

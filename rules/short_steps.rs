@@ -1,10 +1,7 @@
 //! Marching loops whose steps are shorter than they need to be.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
 use shaderlint_lint::march::{factor_edits, step_factor};
-use shaderlint_syntax::ast::Extent;
-use shaderlint_text::number::decimals;
+use shaderlint_lint::prelude::*;
 
 rule! { short_steps, Budget, Info, Recommended, Run(check) }
 

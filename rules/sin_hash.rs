@@ -1,12 +1,7 @@
 //! `fract(sin(x) * 43758.5453)`: a hash that differs between GPUs.
 
-use shaderlint_diagnostic::Fix;
 use shaderlint_lint::formula::factors;
-use shaderlint_lint::{Builtin, Context, Setting};
-use shaderlint_semantic::{BuiltinId, Program, Scalar, Type};
-use shaderlint_syntax::Version;
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { sin_hash, Portability, Info, Strict, [Number(&FACTOR)], Builtin(check) }
 

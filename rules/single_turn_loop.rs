@@ -1,8 +1,6 @@
 //! Loops that run at most one iteration.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::each_inner;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { single_turn_loop, Tidy, Warning, Recommended, Stmt(check) }
 

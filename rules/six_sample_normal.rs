@@ -1,9 +1,7 @@
 //! Normals computed with six calls of the scene function where four are enough.
 
 use rustc_hash::FxHashMap;
-use shaderlint_lint::{Context, Setting, same_code};
-use shaderlint_semantic::{FunctionRef, Program, Resolution};
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { six_sample_normal, Budget, Info, Recommended, [Number(&OPERATIONS)], Program(check) }
 

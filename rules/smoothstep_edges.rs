@@ -1,9 +1,6 @@
 //! `smoothstep` with reversed or equal edges.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { smoothstep_edges, Numeric, Info, Strict, Builtin(check) }
 

@@ -1,11 +1,6 @@
 //! Square roots of negative numbers.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::{Interval, Side};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { sqrt_negative, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,9 +1,8 @@
 //! Shaders that read the time and draw the same image in every frame.
 
 use shaderlint_exec::{Draw, quads_all_over};
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::sample::{Instant, SIZE};
-use shaderlint_text::number::grouped;
 
 rule! { static_picture, Runtime, Info, Recommended, Run(check) }
 

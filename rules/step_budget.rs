@@ -1,12 +1,8 @@
 //! Ray marching loops with more steps than the target renderer can afford.
 
 use shaderlint_lint::march::{March, MarchGoal, way};
-use shaderlint_lint::{Context, Setting};
-use shaderlint_semantic::each_operand;
+use shaderlint_lint::prelude::*;
 use shaderlint_semantic::tunable::{TunableRange, range_after};
-use shaderlint_semantic::{FunctionRef, Resolution};
-use shaderlint_syntax::ast::ExprId;
-use shaderlint_text::Span;
 
 rule! {
     step_budget, Budget, Info, Recommended,

@@ -1,9 +1,7 @@
 //! Marching loops that reach their step limit before they find a hit.
 
-use shaderlint_flow::{LoopFacts, RayKind};
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::{Round, SampleRun};
-use shaderlint_text::number::rounded_percent;
+use shaderlint_flow::RayKind;
+use shaderlint_lint::prelude::*;
 
 rule! { steps_exhausted, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,9 +1,6 @@
 //! Arguments in a different order than the parameters.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { swapped_arguments, Numeric, Warning, Recommended, Builtin(check) }
 

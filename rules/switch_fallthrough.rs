@@ -1,9 +1,6 @@
 //! `case` groups that fall through into the next one.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::Context;
-use shaderlint_syntax::ast::*;
-use shaderlint_text::{Edit, Span};
+use shaderlint_lint::prelude::*;
 
 rule! { switch_fallthrough, Tidy, Warning, Recommended, Stmt(check) }
 

@@ -1,8 +1,6 @@
 //! `return` inside `switch`.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::each_inner;
-use shaderlint_syntax::ast::{Extent, StmtId, StmtKind};
+use shaderlint_lint::prelude::*;
 
 rule! { switch_return, Portability, Info, Strict, Stmt(check) }
 

@@ -1,10 +1,8 @@
 //! `texelFetch` of texels outside the texture.
 
 use shaderlint_flow::reaching_definitions::condition::{each_comparison, each_load};
-use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::screen::along;
-use shaderlint_semantic::BuiltinId;
 
 rule! { texel_out_of_range, Portability, Info, Strict, Program(check) }
 

@@ -1,10 +1,7 @@
 //! Texture coordinates that are discontinuous between neighbouring pixels.
 
 use shaderlint_flow::Jump;
-use shaderlint_ir::{OpId, OpKind, Provenance};
-use shaderlint_lint::Context;
-use shaderlint_semantic::{BuiltinId, Dialect, Pass, Stage};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! { texture_seam, Portability, Info, Recommended, Program(check) }
 

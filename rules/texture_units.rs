@@ -1,11 +1,7 @@
 //! Pixel coordinates passed to `texture`, and normalised coordinates passed to `texelFetch`.
 
-use shaderlint_flow::Varying;
-use shaderlint_ir::OpKind;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::screen::along;
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::{BuiltinId, Scalar};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
 
 rule! { texture_units, Numeric, Warning, Recommended, Builtin(check) }
 

@@ -1,9 +1,6 @@
 //! Time multiplied by a factor so large that a `float` loses its precision.
 
-use shaderlint_flow::Start;
-use shaderlint_ir::{Binary, OpId, OpKind, Unary};
-use shaderlint_lint::{Builtin, Context, Setting};
-use shaderlint_semantic::BuiltinId;
+use shaderlint_lint::prelude::*;
 
 rule! { time_precision, Numeric, Info, Strict, [Number(&FACTOR)], Builtin(check) }
 

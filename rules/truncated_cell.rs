@@ -1,12 +1,7 @@
 //! Cell indices by truncation, combined with `fract` of the same value.
 
-use shaderlint_diagnostic::Fix;
 use shaderlint_flow::is_same;
-use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::{BuiltinId, Scalar};
-use shaderlint_syntax::ast::{ExprId, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
 
 rule! { truncated_cell, Numeric, Warning, Recommended, Expr(&[Shape::Construct], check) }
 

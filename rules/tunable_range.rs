@@ -1,6 +1,6 @@
 //! Numbers outside the range documented in their comment.
 
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 use shaderlint_semantic::tunable::tunables;
 
 rule! { tunable_range, Budget, Warning, Recommended, Program(check) }

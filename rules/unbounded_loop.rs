@@ -1,8 +1,7 @@
 //! Loops without an upper bound on their iterations.
 
 use shaderlint_flow::Bound;
-use shaderlint_lint::Context;
-use shaderlint_syntax::ast::{Extent, StmtId};
+use shaderlint_lint::prelude::*;
 
 rule! { unbounded_loop, Budget, Warning, Recommended, Stmt(check) }
 

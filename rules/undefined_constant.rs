@@ -1,8 +1,6 @@
 //! Constants with an undefined value, or too large for their type.
 
-use shaderlint_lint::{BinaryExpr, Builtin, Context, Shape};
-use shaderlint_semantic::{BuiltinId, Scalar, Value};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 use shaderlint_text::number::significant;
 
 rule! {

@@ -1,11 +1,8 @@
 //! Calls outside the domain of a built-in function that occurred in a sample run.
 
-use shaderlint_exec::{FaultKind, NumberObservation};
-use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::Context;
+use shaderlint_exec::NumberObservation;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::sample::OFTEN;
-use shaderlint_semantic::BuiltinId;
-use shaderlint_text::number::decimals;
 
 rule! { undefined_seen, Runtime, Warning, Recommended, Run(check) }
 

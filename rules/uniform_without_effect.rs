@@ -1,10 +1,8 @@
 //! Uniforms that are read but do not affect the image.
 
 use shaderlint_exec::{Bytecode, UniformSlot, quads_all_over};
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 use shaderlint_lint::sample::{Instant, Press, SIZE};
-use shaderlint_semantic::{Storage, VariableId};
-use shaderlint_text::number::grouped;
 
 rule! { uniform_without_effect, Runtime, Info, Recommended, Run(check) }
 

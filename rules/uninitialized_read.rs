@@ -1,12 +1,10 @@
 //! Variables that are read before they are assigned.
 
 use rustc_hash::FxHashSet;
-use shaderlint_diagnostic::Fix;
 use shaderlint_flow::{PartMask, UnassignedVariable};
-use shaderlint_lint::{Context, Finding};
-use shaderlint_semantic::{Dialect, FunctionRef, Pass, Scalar, Storage, Variable};
-use shaderlint_syntax::ast::{BinaryOp, ExprKind};
-use shaderlint_text::Edit;
+use shaderlint_lint::Finding;
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::Variable;
 
 rule! { uninitialized_read, Numeric, Warning, Recommended, Function(check) }
 

@@ -1,10 +1,7 @@
 //! Images that depend on a variable that was never assigned.
 
 use shaderlint_flow::UnassignedVariable;
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::SampleRun;
-use shaderlint_semantic::FunctionRef;
-use shaderlint_text::number::rounded_percent;
+use shaderlint_lint::prelude::*;
 
 rule! { uninitialized_seen, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,9 +1,7 @@
 //! `case` labels outside the range of the selector.
 
-use shaderlint_lint::Context;
 use shaderlint_lint::given::is_computed_here;
-use shaderlint_semantic::Value;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { unreachable_case, Numeric, Warning, Recommended, Stmt(check) }
 

@@ -1,11 +1,8 @@
 //! Thresholds that a height, or another quantity, never reaches in a sample run.
 
-use shaderlint_exec::{ComparisonObservation, Watch};
-use shaderlint_ir::{Module, Op, OpId, OpKind};
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::{SampleFrame, SampleRun};
-use shaderlint_semantic::Type;
-use shaderlint_text::number::grouped;
+use shaderlint_exec::ComparisonObservation;
+use shaderlint_ir::Op;
+use shaderlint_lint::prelude::*;
 
 rule! { unreachable_height, Runtime, Warning, Recommended, Run(check) }
 

@@ -1,8 +1,6 @@
 //! Subtractions of unsigned integers that underflow.
 
-use shaderlint_lint::{BinaryExpr, Context};
-use shaderlint_semantic::Scalar;
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! { unsigned_underflow, Numeric, Warning, Recommended, Binary(check) }
 

@@ -1,9 +1,7 @@
 //! Functions that are never called.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, remove_statement};
-use shaderlint_semantic::{FunctionRef, starts_a_shader};
-use shaderlint_syntax::ast::{DeclKind, Extent, FunctionDecl};
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::starts_a_shader;
 
 rule! { unused_function, Tidy, Info, Strict, Function(check) }
 

@@ -1,9 +1,7 @@
 //! Macros that are never used.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, remove_lines};
-use shaderlint_syntax::Macro;
-use shaderlint_text::{Edit, Span};
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::remove_lines;
 
 rule! { unused_macro, Tidy, Info, Strict, Macro(check) }
 

@@ -1,8 +1,7 @@
 //! Parameters that the function never uses.
 
-use shaderlint_lint::Context;
-use shaderlint_semantic::{Direction, FunctionRef, Storage, starts_a_shader};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
+use shaderlint_semantic::starts_a_shader;
 
 rule! { unused_parameter, Tidy, Info, Strict, Function(check) }
 

@@ -1,9 +1,7 @@
 //! Uniforms that are declared but never read.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, DeclaredVariable, remove_declaration};
-use shaderlint_semantic::Storage;
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::remove_declaration;
 
 rule! { unused_uniform, Tidy, Info, Recommended, Declaration(check) }
 

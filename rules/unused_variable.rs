@@ -1,10 +1,7 @@
 //! Variables that are never read.
 
-use shaderlint_diagnostic::Fix;
-use shaderlint_lint::{Context, DeclaredVariable, remove_declaration, remove_statement};
-use shaderlint_semantic::Storage;
-use shaderlint_syntax::ast::*;
-use shaderlint_text::Edit;
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::remove_declaration;
 
 rule! { unused_variable, Tidy, Info, Recommended, Declaration(check) }
 

@@ -1,11 +1,7 @@
 //! `clamp`, `min` and `max` that never change their value, or always replace it.
 
-use shaderlint_flow::ranges::Interval;
-use shaderlint_ir::OpKind;
 use shaderlint_lint::given::{is_computed_here, is_exact, is_of_uniforms};
-use shaderlint_lint::{Builtin, Context};
-use shaderlint_semantic::BuiltinId;
-use shaderlint_syntax::ast::*;
+use shaderlint_lint::prelude::*;
 
 rule! { useless_clamp, Numeric, Info, Recommended, Builtin(check) }
 

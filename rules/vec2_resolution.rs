@@ -1,8 +1,6 @@
 //! `uniform vec2 iResolution`.
 
-use shaderlint_lint::{Context, DeclaredVariable};
-use shaderlint_semantic::{Scalar, Storage, Type};
-use shaderlint_syntax::ast::Extent;
+use shaderlint_lint::prelude::*;
 
 rule! { vec2_resolution, Webgl2, Info, Recommended, Declaration(check) }
 

@@ -1,8 +1,7 @@
 //! One matrix multiplied by vectors from both sides.
 
 use shaderlint_flow::is_same;
-use shaderlint_ir::{OpId, OpKind};
-use shaderlint_lint::Context;
+use shaderlint_lint::prelude::*;
 
 rule! { vector_times_matrix, Numeric, Info, All, Program(check) }
 

@@ -1,8 +1,7 @@
 //! Images that are brighter than white nearly everywhere.
 
-use shaderlint_lint::Context;
-use shaderlint_lint::sample::{SampleRun, is_too_bright, share};
-use shaderlint_text::number::rounded_percent;
+use shaderlint_lint::prelude::*;
+use shaderlint_lint::sample::is_too_bright;
 
 rule! { washed_out, Runtime, Warning, Recommended, Run(check) }
 

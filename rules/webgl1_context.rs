@@ -1,7 +1,7 @@
 //! `#version 300 es` in a page that requests a WebGL1 context.
 
-use shaderlint_lint::Context;
-use shaderlint_syntax::{Version, WebGl};
+use shaderlint_lint::prelude::*;
+use shaderlint_syntax::WebGl;
 
 // Compares the version of the shader with the `getContext` call of its page. If the page compiles the shader
 // itself, `unsupported-version` reports it.

@@ -1,10 +1,6 @@
 //! Division by zero.
 
-use shaderlint_exec::FaultKind;
-use shaderlint_flow::ranges::Side;
-use shaderlint_lint::{Context, Shape};
-use shaderlint_semantic::{BuiltinId, Scalar};
-use shaderlint_syntax::ast::{BinaryOp, ExprId, ExprKind};
+use shaderlint_lint::prelude::*;
 
 rule! {
     zero_division, Numeric, Warning, Recommended,

@@ -17,6 +17,7 @@ pub mod loop_invariant;
 pub mod march;
 mod option;
 mod page;
+pub mod prelude;
 mod rule;
 mod run;
 mod same;
