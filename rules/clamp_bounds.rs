@@ -25,10 +25,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         let message = "the lower bound of `clamp` is greater than its upper bound";
         (message, format!("clamp({first}, {third}, {second})"))
     };
-    let fix = cx.is_direct(call.id).then(|| {
-        let edit = Edit::replace(program.expr_span(call.id), instead.clone());
-        Fix::suggestion(format!("use `{instead}`"), vec![edit])
-    });
+    let fix = cx.suggest(call.id, instead.as_str());
     cx.report_expr(call.id, message)
         .note(
             "the order is `clamp(x, minVal, maxVal)`; \

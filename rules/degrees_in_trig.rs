@@ -69,10 +69,7 @@ fn taken_by(cx: &Context, callee: FunctionRef, parameter: VariableId) -> Option<
 
 fn report(cx: &mut Context, angle: ExprId, function: BuiltinId) {
     let text = cx.program.expr_text(angle).to_string();
-    let fix = cx.is_direct(angle).then(|| {
-        let edit = Edit::replace(cx.program.expr_span(angle), format!("radians({text})"));
-        Fix::suggestion(format!("use `radians({text})`"), vec![edit])
-    });
+    let fix = cx.suggest(angle, format!("radians({text})"));
     let name = function.name();
     cx.report_expr(
         angle,

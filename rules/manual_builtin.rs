@@ -58,10 +58,9 @@ fn check(cx: &mut Context, id: ExprId) {
     }
     let texts: Vec<&str> = arguments.iter().map(|&a| program.expr_text(a)).collect();
     let call = format!("{}({})", function.name(), texts.join(", "));
-    let edit = Edit::replace(program.span(extent), call.clone());
     let message = format!("manual implementation of `{}`", function.name());
     cx.report_expr(id, message)
-        .fix(Fix::suggestion(format!("use `{call}`"), vec![edit]));
+        .fix(Fix::suggested_replacement(program.span(extent), call));
 }
 
 fn any(_: &Context, _: ExprId, _: &[ExprId]) -> bool {

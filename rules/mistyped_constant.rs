@@ -36,10 +36,7 @@ fn check(cx: &mut Context, id: ExprId) {
         return;
     }
     let right = format!("{value:.8}");
-    let fix = cx.is_direct(id).then(|| {
-        let edit = Edit::replace(cx.program.expr_span(id), right.clone());
-        Fix::suggestion(format!("use `{right}`"), vec![edit])
-    });
+    let fix = cx.suggest(id, right.as_str());
     cx.report_expr(
         id,
         format!("`{text}` looks like a mistyped {name} ({right})"),

@@ -86,10 +86,7 @@ fn report(cx: &mut Context, call: &PeriodicCall, (used, exact, jump): (AngleUse,
     let function = used.function.name();
     let exact = format!("{:?}", exact as f32);
     let is_literal = matches!(tree.expr(length).kind, ExprKind::Float(_));
-    let fix = (is_literal && cx.is_direct(length)).then(|| {
-        let edit = Edit::replace(cx.program.expr_span(length), exact.clone());
-        Fix::suggestion(format!("use `{exact}`"), vec![edit])
-    });
+    let fix = cx.suggest(length, exact.as_str()).filter(|_| is_literal);
     let angle = module.provenance(used.call).extent(tree);
     let angle = angle.map(|extent| cx.program.span(extent));
     let text = cx.program.expr_text(length);

@@ -49,8 +49,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let fix = (is_name && power == 3.0 && cx.is_direct(call.id)).then(|| {
         let factors = vec![text.as_str(); power as usize];
         let product = cx.in_place_of(call.id, factors.join(" * "));
-        let edit = Edit::replace(program.expr_span(call.id), product.clone());
-        Fix::suggestion(format!("use `{product}`"), vec![edit])
+        Fix::suggested_replacement(program.expr_span(call.id), product)
     });
     let place = program.span(Extent::token(program.tree.stmt(head).extent.first));
     let most = if power > 4.0 {

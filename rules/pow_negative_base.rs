@@ -15,8 +15,7 @@ fn check(cx: &mut Context, call: &Builtin) {
     let text = cx.program.expr_text(base).to_string();
     let fix = (square && is_simple(cx, base) && cx.is_direct(call.id)).then(|| {
         let product = cx.in_place_of(call.id, format!("{text} * {text}"));
-        let edit = Edit::replace(cx.program.expr_span(call.id), product.clone());
-        Fix::suggestion(format!("use `{product}`"), vec![edit])
+        Fix::suggested_replacement(cx.program.expr_span(call.id), product)
     });
     let help = match square {
         true => "multiply the base by itself, which is defined for all numbers".to_string(),

@@ -20,10 +20,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let text = program.expr_text(arg).to_string();
-    let fix = cx.is_direct(call.id).then(|| {
-        let edit = Edit::replace(program.expr_span(call.id), text.clone());
-        Fix::suggestion(format!("use `{text}`"), vec![edit])
-    });
+    let fix = cx.suggest(call.id, text.as_str());
     let made = made.map(|expr| program.expr_span(expr));
     let mut finding = cx.report_expr(
         call.id,

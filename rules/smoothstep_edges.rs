@@ -31,10 +31,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     }
     let instead = cx.in_place_of(call.id, format!("1.0 - smoothstep({b}, {a}, {of})"));
-    let fix = cx.is_direct(call.id).then(|| {
-        let edit = Edit::replace(cx.program.expr_span(call.id), instead.clone());
-        Fix::suggestion(format!("use `{instead}`"), vec![edit])
-    });
+    let fix = cx.suggest(call.id, instead.as_str());
     cx.report_expr(
         call.id,
         "first edge of `smoothstep` is greater than the second",

@@ -49,10 +49,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         .iter()
         .zip(call.args)
         .all(|(e, at)| program.ty(*e) == program.ty(*at));
-    let fix = (is_same && cx.is_direct(call.id)).then(|| {
-        let edit = Edit::replace(program.expr_span(call.id), instead.clone());
-        Fix::suggestion(format!("use `{instead}`"), vec![edit])
-    });
+    let fix = cx.suggest(call.id, instead.as_str()).filter(|_| is_same);
     let message = format!("arguments of `{name}` seem to be in the wrong order");
     cx.report_expr(call.id, message).note(why).fix(fix);
 }

@@ -78,6 +78,18 @@ impl Fix {
         }
     }
 
+    /// A safe fix that replaces the text under `span` with `text`.
+    pub fn safe_replacement(span: Span, text: impl Into<String>) -> Fix {
+        let text = text.into();
+        Fix::safe(format!("use `{text}`"), vec![Edit::replace(span, text)])
+    }
+
+    /// A fix that needs review and replaces the text under `span` with `text`.
+    pub fn suggested_replacement(span: Span, text: impl Into<String>) -> Fix {
+        let text = text.into();
+        Fix::suggestion(format!("use `{text}`"), vec![Edit::replace(span, text)])
+    }
+
     /// A fix that needs review.
     pub fn suggestion(title: impl Into<String>, edits: Vec<Edit>) -> Fix {
         Fix {

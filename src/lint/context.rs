@@ -59,6 +59,13 @@ impl<'p> Context<'_, 'p> {
         self.program.is_direct(self.program.tree.expr(expr).extent)
     }
 
+    /// A suggestion to write `text` instead of an expression that is not in a macro call.
+    pub fn suggest(&self, expr: ExprId, text: impl Into<String>) -> Option<Fix> {
+        let span = self.program.expr_span(expr);
+        self.is_direct(expr)
+            .then(|| Fix::suggested_replacement(span, text))
+    }
+
     /// The name of a variable, with those of its components or its field that a mask contains, if that is not
     /// all of it.
     pub fn name_of_parts(&self, id: VariableId, mask: PartMask) -> String {

@@ -28,6 +28,14 @@ impl Edit {
         }
     }
 
+    /// Inserts texts before and after the text under `span`.
+    pub fn around(span: Span, before: impl Into<String>, after: impl Into<String>) -> Vec<Edit> {
+        vec![
+            Edit::insert(span.start, before),
+            Edit::insert(span.end, after),
+        ]
+    }
+
     /// Deletes the text under `span`.
     pub fn delete(span: Span) -> Edit {
         Edit {

@@ -74,10 +74,7 @@ impl ExplainContext<'_> {
         }
         let name = self.name_of(found);
         let span = self.token_span(from).to(self.token_span(token));
-        d.fix(Fix::safe(
-            format!("use `{name}`"),
-            vec![Edit::replace(span, name)],
-        ))
+        d.fix(Fix::safe_replacement(span, name))
     }
 
     /// A call of a function that GLSL has in another form; `None` if the name is not a function.
@@ -201,10 +198,7 @@ impl ExplainContext<'_> {
             (assigns && before.extent.last + 2 == token).then_some(ty)
         });
         match expected.and_then(|ty| ty.zero()) {
-            Some(zero) => d.fix(Fix::suggestion(
-                format!("use `{zero}`"),
-                vec![Edit::replace(self.token_span(token), zero)],
-            )),
+            Some(zero) => d.fix(Fix::suggested_replacement(self.token_span(token), zero)),
             None => d,
         }
     }

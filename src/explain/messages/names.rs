@@ -279,9 +279,9 @@ impl ExplainContext<'_> {
                     token,
                     format!("`{text}` was removed in GLSL ES 3.00"),
                 )
-                .fix(Fix::safe(
-                    "use `gl_FragDepth`",
-                    vec![Edit::replace(self.token_span(token), "gl_FragDepth")],
+                .fix(Fix::safe_replacement(
+                    self.token_span(token),
+                    "gl_FragDepth",
                 )),
             ),
             "fragCoord" if is_fragment && !self.is_called_by_host() => {

@@ -307,10 +307,7 @@ impl Parser<'_> {
             Subject::Other => brace_subject(token.kind),
             subject => subject,
         })
-        .fix(Fix::suggestion(
-            format!("use `{symbol}`"),
-            vec![Edit::replace(token.span, symbol)],
-        ))
+        .fix(Fix::suggested_replacement(token.span, symbol))
     }
 
     /// The span of a token with the blanks before it on its line, unless it starts the line.

@@ -208,10 +208,7 @@ impl Parser<'_> {
         let message = "GLSL has no C-style casts";
         let d = Diagnostic::error(error::FOREIGN_SYNTAX, cast, message)
             .note("use a constructor to convert a value (section 5.4)")
-            .fix(Fix::safe(
-                format!("use `{call}`"),
-                vec![Edit::replace(cast.to(operand_span), call.clone())],
-            ));
+            .fix(Fix::safe_replacement(cast.to(operand_span), call.clone()));
         let token = self.token(first as usize);
         self.report_at(d, &token);
         let args = append(&mut self.tree.expr_lists, [operand]);

@@ -251,9 +251,9 @@ impl Parser<'_> {
             .note("it is a reserved word");
             let other = TYPES.iter().find(|(w, _)| *w == word).map(|(_, t)| *t);
             let d = match other {
-                Some("uint") if self.is(TokenKind::Type) => d.fix(Fix::safe(
-                    "use `uint`",
-                    vec![Edit::replace(token.span.to(self.next().span), "uint")],
+                Some("uint") if self.is(TokenKind::Type) => d.fix(Fix::safe_replacement(
+                    token.span.to(self.next().span),
+                    "uint",
                 )),
                 Some(other) => d.fix(Fix::suggestion(
                     format!("use `{other}`"),
@@ -343,10 +343,7 @@ impl Parser<'_> {
             "attribute" => "inputs of the vertex shader are declared `in`",
             _ => "varyings are declared `out` in the vertex shader and `in` in the fragment shader",
         })
-        .fix(Fix::safe(
-            format!("use `{now}`"),
-            vec![Edit::replace(token.span, now)],
-        ));
+        .fix(Fix::safe_replacement(token.span, now));
         self.report_at(d, token);
         kind
     }

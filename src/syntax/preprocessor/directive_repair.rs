@@ -97,7 +97,7 @@ impl Preprocessor<'_> {
         let index = rest.iter().position(|p| p.token.span == at)?;
         let piece = rest.get(index)?;
         let text = self.sources.text(at);
-        let write = |what: &str| Fix::safe(format!("use `{what}`"), vec![Edit::replace(at, what)]);
+        let write = |what: &str| Fix::safe_replacement(at, what);
         match piece.token.kind {
             TokenKind::Equal => return Some(write("==")),
             TokenKind::Float => {

@@ -143,7 +143,7 @@ impl Preprocessor<'_> {
         let goes_on = rest.first().filter(|p| self.raw_text(p.token.span) == "if");
         let fix = goes_on.map(|p| {
             let word = Span::new(span.start, p.token.span.end);
-            Fix::safe("use `#elif`", vec![Edit::replace(word, "#elif")])
+            Fix::safe_replacement(word, "#elif")
         });
         self.expect_end_or(rest, "else", fix);
     }
@@ -293,9 +293,9 @@ impl Preprocessor<'_> {
         d.fix = match problem {
             ConditionProblem::Unexpected(at) => self.repair_condition(rest, at),
             ConditionProblem::Undefined(at) => self.foreign_operator(rest, at),
-            ConditionProblem::Empty if self.sources.text(directive).ends_with("elif") => Some(
-                Fix::suggestion("use `#else`", vec![Edit::replace(directive, "#else")]),
-            ),
+            ConditionProblem::Empty if self.sources.text(directive).ends_with("elif") => {
+                Some(Fix::suggested_replacement(directive, "#else"))
+            }
             _ => None,
         };
         if let ConditionProblem::Undefined(span) = problem {

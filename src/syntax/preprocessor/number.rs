@@ -65,27 +65,23 @@ pub(super) fn bad_number(token: &Token, text: &str) -> Diagnostic {
         let fixed = format!("{digits}.0");
         return d
             .note("the suffix `f` requires a decimal point or an exponent: `1.0f`, `1.f`")
-            .fix(Fix::safe(
-                format!("use `{fixed}`"),
-                vec![Edit::replace(token.span, fixed)],
-            ));
+            .fix(Fix::safe_replacement(token.span, fixed));
     }
     if lower.ends_with('l') && is_int {
         return d
             .note("GLSL has no long integers and no suffix `l`")
-            .fix(rewritten(token, digits.to_string()));
+            .fix(Fix::safe_replacement(token.span, digits.to_string()));
     }
     if let Some(number) = foreign_number(&lower) {
-        return d.note(number.1).fix(rewritten(token, number.0));
+        return d
+            .note(number.1)
+            .fix(Fix::safe_replacement(token.span, number.0));
     }
     if lower.starts_with('0') && lower.bytes().all(|b| b.is_ascii_digit()) {
         let fixed = lower.trim_start_matches('0').to_string();
         return d
             .note("an integer with a leading 0 is octal, with digits from 0 to 7")
-            .fix(Fix::suggestion(
-                format!("use `{fixed}`"),
-                vec![Edit::replace(token.span, fixed)],
-            ));
+            .fix(Fix::suggested_replacement(token.span, fixed));
     }
     d
 }
@@ -123,11 +119,6 @@ impl Preprocessor<'_> {
             ..*token
         })
     }
-}
-
-fn rewritten(token: &Token, number: String) -> Fix {
-    let edit = Edit::replace(token.span, number.clone());
-    Fix::safe(format!("use `{number}`"), vec![edit])
 }
 
 /// Converts a number literal of another language to GLSL, with a note about the difference.

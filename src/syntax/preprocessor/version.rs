@@ -64,10 +64,7 @@ impl Preprocessor<'_> {
             _ => {
                 self.set_version(Version::Es300);
                 let message = format!("WebGL2 does not support GLSL version {number}");
-                let fix = Fix::safe(
-                    "use `#version 300 es`",
-                    vec![Edit::replace(span, "#version 300 es")],
-                );
+                let fix = Fix::safe_replacement(span, "#version 300 es");
                 let d = error_at(error::UNSUPPORTED_VERSION, span, message).note(
                     "WebGL2 supports `#version 300 es`, and `#version 100` (or none) as in WebGL1",
                 );
@@ -102,10 +99,7 @@ impl Preprocessor<'_> {
         // The invalid number is the same mistake.
         let of_number = |d: &Diagnostic| span.contains(d.span) && d.is(error::INVALID_NUMBER);
         self.diagnostics.retain(|d| !of_number(d));
-        let fix = Fix::safe(
-            format!("use `{directive}`"),
-            vec![Edit::replace(span, directive)],
-        );
+        let fix = Fix::safe_replacement(span, directive);
         self.report(error_at(error::UNSUPPORTED_VERSION, span, message).fix(fix));
     }
 

@@ -96,7 +96,7 @@ impl Translator<'_> {
             .filter(|&(_, after)| self.kind(after) == T::Identifier && after + 1 == end);
         let fix = alias.map(|(word, _)| {
             let line = format!("#define {} {}", self.text(end - 1), word.name());
-            Fix::suggestion(format!("use `{line}`"), vec![Edit::replace(span, line)])
+            Fix::suggested_replacement(span, line)
         });
         let is_line = self.starts_line(0) && self.starts_line(end + 1);
         self.report(span, "GLSL has no `typedef`", fix.filter(|_| is_line));

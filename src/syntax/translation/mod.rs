@@ -296,10 +296,7 @@ impl<'a> Translator<'a> {
 
     /// A fix that replaces `span` with `text`.
     fn write(span: Span, text: &str) -> Option<Fix> {
-        Some(Fix::safe(
-            format!("use `{text}`"),
-            vec![Edit::replace(span, text)],
-        ))
+        Some(Fix::safe_replacement(span, text))
     }
 
     /// Removes text together with the blanks after it.

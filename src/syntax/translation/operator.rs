@@ -145,8 +145,7 @@ impl Translator<'_> {
             }
             let whole = base.to(self.token(end - 1).span);
             let text = format!("pow({}, {to})", self.sources.text(base.to(last)));
-            let edit = Edit::replace(whole, text.clone());
-            Fix::suggestion(format!("use `{text}`"), vec![edit])
+            Fix::suggested_replacement(whole, text)
         });
         self.report(span, "GLSL has no `**`; use `pow(a, b)`", fix);
         self.put(T::Star, 0, span);

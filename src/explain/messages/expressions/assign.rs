@@ -297,8 +297,7 @@ impl ExplainContext<'_> {
         if !token.is_direct() {
             self.exact.borrow_mut().push(span);
         }
-        let edit = Edit::replace(span, text.clone());
-        Some(Fix::safe(format!("use `{text}`"), vec![edit]))
+        Some(Fix::safe_replacement(span, text))
     }
 
     pub(super) fn converted_literal(
@@ -325,10 +324,7 @@ impl ExplainContext<'_> {
     /// Edits that wrap an expression.
     pub(in crate::messages) fn wrap(&self, id: ExprId, before: &str, after: &str) -> Vec<Edit> {
         let span = self.expr_span(id);
-        vec![
-            Edit::insert(span.start, before),
-            Edit::insert(span.end, after),
-        ]
+        Edit::around(span, before, after)
     }
 
     /// Whether an expression needs no parentheses before a `.`.

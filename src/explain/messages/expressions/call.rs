@@ -372,7 +372,7 @@ impl ExplainContext<'_> {
         (is_one && self.token(word).is_direct()).then(|| {
             let before_argument = self.token_span(word + 1).start;
             let span = Span::new(self.token_span(word).start, before_argument);
-            Fix::suggestion("use `!`", vec![Edit::replace(span, "!")])
+            Fix::suggested_replacement(span, "!")
         })
     }
 
