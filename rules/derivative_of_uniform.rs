@@ -14,7 +14,7 @@ fn check(cx: &mut Context, call: &Builtin) {
         return;
     };
     let function = cx.facts.structure().function_of_expr(call.id);
-    let reached = cx.facts.calls().graph().reached_from(entry);
+    let reached = cx.facts.calls().graph.reached_from(entry);
     if function.is_none_or(|f| reached.get(f.0 as usize) != Some(&true)) {
         return;
     }

@@ -56,7 +56,7 @@ fn merged(cx: &Context) -> Vec<bool> {
     let loops = cx.facts.loops().all.iter();
     let is_kept = |l: &&LoopFacts| l.bound.iterations().is_none_or(|n| n > UNROLLED);
     let kept: FxHashSet<FunctionRef> = loops.filter(is_kept).map(|l| l.function).collect();
-    let reaching = cx.facts.calls().graph().reaching(|f| kept.contains(&f));
+    let reaching = cx.facts.calls().graph.reaching(|f| kept.contains(&f));
     reaching.into_iter().map(|is_kept| !is_kept).collect()
 }
 

@@ -155,7 +155,7 @@ fn modules(name: &str, text: &str) -> Vec<Option<String>> {
 fn places(document: &Document, count: usize) -> Vec<u32> {
     let mut found = BTreeSet::new();
     for (_, index) in document.shaders() {
-        let declared = index.all().iter().filter(|o| o.access == NameUse::Defined);
+        let declared = index.all.iter().filter(|o| o.access == NameUse::Defined);
         let places = declared.filter_map(|o| document.report.in_input(o.span));
         found.extend(places.map(|span| span.start));
     }

@@ -136,7 +136,7 @@ impl Breakpoint {
         let Ok(place) = &self.place else {
             return Ok(());
         };
-        let [width, height] = debuggee.size();
+        let [width, height] = debuggee.size;
         let all = u64::from(width) * u64::from(height);
         let (pixels, times) = match &self.given.condition {
             Some(condition) => {

@@ -45,8 +45,10 @@ pub struct Debuggee {
     loaded: Loaded,
     /// Index of the compile unit.
     unit: usize,
-    size: [u32; 2],
-    notes: Vec<String>,
+    /// Width and height of the image in pixels.
+    pub size: [u32; 2],
+    /// Notes about inputs that were missing or replaced.
+    pub notes: Vec<String>,
     /// What the frame depends on, unless it is drawn.
     pending: Option<PendingInputs>,
     /// Why it cannot be drawn.
@@ -106,7 +108,7 @@ impl Debuggee {
         let inputs = shot.undrawn(&moment)?;
         let from = FrameDraw::of(&shot, &inputs, &moment);
         let build = Variant::of(&loaded, from, None, &stepping()).map_err(message)?;
-        let (unit, size, notes) = (shot.unit(), shot.size(), shot.notes(&loaded.project));
+        let (unit, size, notes) = (shot.unit, shot.size, shot.notes(&loaded.project));
         let pending = match shot.depends(&moment) {
             true => Some(PendingInputs::start(Box::new(shot), &moment)?),
             false => None,
@@ -142,7 +144,7 @@ impl Debuggee {
             size: self.size,
             moment: &self.moment,
             code: &self.build.code,
-            inputs: self.build.inputs(),
+            inputs: &self.build.inputs,
         };
         Variant::of(&self.loaded, from, text, options)
     }
@@ -203,16 +205,6 @@ impl Debuggee {
                 Step::Break(stmt) => is_own(*stmt),
                 _ => false,
             })
-    }
-
-    /// Width and height of the image in pixels.
-    pub const fn size(&self) -> [u32; 2] {
-        self.size
-    }
-
-    /// Notes about inputs that were missing or replaced.
-    pub fn notes(&self) -> &[String] {
-        &self.notes
     }
 
     /// The functions that run at a site, innermost first.

@@ -233,7 +233,7 @@ impl ValueImage {
 
 /// The address of the code of a pass.
 fn base_of(build: &Variant, pass: usize) -> Option<u32> {
-    let composed = build.composed();
+    let composed = &build.composed;
     let mut files = (0..)
         .map(shaderlint_text::FileId)
         .zip(composed.sources.files());

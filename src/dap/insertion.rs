@@ -64,7 +64,7 @@ impl InsertionPlace {
         let file = file.and_then(|id| Some((id, program.sources.file(id)?)));
         let (id, file) = file.ok_or("the statement has no place in the text")?;
         let pass = build
-            .composed()
+            .composed
             .owner(id)
             .ok_or("the host's code cannot be changed")?;
         let around = program

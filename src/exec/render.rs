@@ -150,7 +150,7 @@ impl Band<'_> {
     fn take(&mut self, vm: &Vm<'_>, draw: &Draw<'_>, left: usize, covered: u32) {
         let place = (draw.size[0] as usize, left);
         let (cost, iterations) = (vm.watched.cost(), vm.watched.iterations());
-        let ran = vm.watched.ran();
+        let ran = vm.watched.ran;
         put(self.covered, place, |lane| covered >> lane & 1 == 1);
         put(self.cost, place, |lane| at(&cost, lane));
         put(self.ran, place, |_| ran);

@@ -40,9 +40,9 @@ impl<'m> Bodies<'m> {
 #[derive(Default, Debug)]
 pub struct Calls {
     /// In evaluation order.
-    all: Vec<CallSite>,
+    pub all: Vec<CallSite>,
     /// Call numbers in the graph are indices into `all`.
-    graph: CallGraph,
+    pub graph: CallGraph,
 }
 
 impl Calls {
@@ -67,16 +67,6 @@ impl Calls {
             graph: CallGraph::new(module.functions.len(), pairs.collect()),
             all,
         }
-    }
-
-    /// The call graph, without individual call sites.
-    pub fn graph(&self) -> &CallGraph {
-        &self.graph
-    }
-
-    /// All call sites, in evaluation order.
-    pub fn all(&self) -> &[CallSite] {
-        &self.all
     }
 
     fn pick<'a>(&'a self, numbers: &'a [u32]) -> impl Iterator<Item = &'a CallSite> {

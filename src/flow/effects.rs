@@ -41,7 +41,7 @@ impl Effects {
         effects.functions = (0..module.functions.len() as u32)
             .map(|i| summary(module, writes, FunctionRef(i)))
             .collect();
-        for caller in calls.graph().bottom_up() {
+        for caller in calls.graph.bottom_up() {
             let called = calls.calls_by(caller).map(|c| effects.summary(c.callee));
             let (acts, depends) = called.fold((false, false), |(acts, depends), callee| {
                 (

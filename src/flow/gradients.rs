@@ -94,7 +94,7 @@ fn loop_around(uniformity: &Uniformity, control: ControlId) -> Option<LoopId> {
 fn called_from(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<Option<LoopId>> {
     let mut from: Vec<Option<LoopId>> = vec![None; module.functions.len()];
     let around = |op| loop_around(uniformity, uniformity.control_of(op)?);
-    let looped = calls.all().iter();
+    let looped = calls.all.iter();
     let mut todo: Vec<(FunctionRef, LoopId)> = looped
         .filter_map(|call| Some((call.callee, around(call.op)?)))
         .collect();
@@ -105,7 +105,7 @@ fn called_from(module: &Module, calls: &Calls, uniformity: &Uniformity) -> Vec<O
         done += 1;
         if let Some(slot @ None) = from.get_mut(function.0 as usize) {
             *slot = Some(looped);
-            todo.extend(calls.graph().callees(function).map(|f| (f, looped)));
+            todo.extend(calls.graph.callees(function).map(|f| (f, looped)));
         }
     }
     from

@@ -83,7 +83,7 @@ impl Work {
             loops: vec![0.0; module.loops.len()],
             counts: module.loops.iter().map(iterations).collect(),
         };
-        for id in calls.graph().bottom_up() {
+        for id in calls.graph.bottom_up() {
             let Some(body) = module.function(id).and_then(|f| f.body) else {
                 continue;
             };

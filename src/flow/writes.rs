@@ -10,7 +10,7 @@ use shaderlint_text::SetAt;
 #[derive(Default, Debug)]
 pub struct Writes {
     /// In evaluation order.
-    all: Vec<(ExprId, VariableId)>,
+    pub all: Vec<(ExprId, VariableId)>,
     /// By expression: the variables that the expression itself writes to.
     by_expr: Lists<VariableId>,
     /// By variable: the expressions that write to it, in source order.
@@ -86,11 +86,6 @@ impl Writes {
             *slot |= mentions.all(id).len() > running;
         }
         writes
-    }
-
-    /// All writes, in evaluation order.
-    pub fn all(&self) -> &[(ExprId, VariableId)] {
-        &self.all
     }
 
     /// The variables that an expression itself writes to, without the writes of its operands.

@@ -211,7 +211,7 @@ fn of_function(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         return String::new();
     }
     let work = facts.work();
-    let calls = facts.calls().graph().calls_of(id).len();
+    let calls = facts.calls().graph.calls_of(id).len();
     let times = match calls {
         0 if facts.entry() == Some(id) => match program.stage {
             Stage::Vertex => "runs once per vertex".to_string(),

@@ -39,7 +39,7 @@ pub struct Occurrence {
 #[derive(Default, Debug)]
 pub struct Index {
     /// In source order; a name in the body of a macro may refer to several symbols.
-    all: Vec<Occurrence>,
+    pub all: Vec<Occurrence>,
 }
 
 impl Index {
@@ -62,11 +62,6 @@ impl Index {
         all.sort_unstable();
         all.dedup_by_key(|o| (o.span, o.symbol));
         Index { all }
-    }
-
-    /// All names in source order.
-    pub fn all(&self) -> &[Occurrence] {
-        &self.all
     }
 
     /// The name at an address, or ending there.

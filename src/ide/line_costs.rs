@@ -76,7 +76,7 @@ pub(super) fn estimated_lines(
     let mut calls = vec![0.0; module.functions.len()];
     calls.set_at(entry.0 as usize, 1.0);
     // A function comes after all that call it.
-    let functions = facts.calls().graph().bottom_up();
+    let functions = facts.calls().graph.bottom_up();
     let bodies = functions.into_iter().rev().filter_map(|id| {
         let body = module.function(id)?.body?;
         Some((Some(id), body))

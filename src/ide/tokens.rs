@@ -67,7 +67,7 @@ pub fn semantic_tokens(document: &Document) -> Vec<SemanticToken> {
     let mut found = Vec::new();
     for (program, index) in document.shaders() {
         let inactive = &program.tokens.inactive;
-        for occurrence in index.all().iter().filter(|o| o.access != NameUse::Unseen) {
+        for occurrence in index.all.iter().filter(|o| o.access != NameUse::Unseen) {
             if let Some(span) = document.report.in_input(occurrence.span) {
                 found.push(token(program, occurrence.symbol, occurrence.access, span));
             }

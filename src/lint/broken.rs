@@ -40,7 +40,7 @@ pub struct Broken<'a> {
     /// By function: whether it has errors.
     functions: Vec<bool>,
     /// Whether an error is in no function and no declaration.
-    is_everything: bool,
+    pub is_everything: bool,
 }
 
 impl<'a> Broken<'a> {
@@ -90,11 +90,6 @@ impl<'a> Broken<'a> {
         self.is_everything
             || !self.unknown.is_empty()
             || self.items.iter().any(|(_, is_broken)| *is_broken)
-    }
-
-    /// Whether no rule can run on the shader.
-    pub fn is_everything(&self) -> bool {
-        self.is_everything
     }
 
     /// Whether a function has errors.

@@ -68,7 +68,7 @@ pub struct Places(Vec<(VariableId, TokenId)>);
 impl Places {
     /// Collects all writes of a shader.
     pub fn of(program: &Program, writes: &Writes) -> Places {
-        let written = writes.all().iter();
+        let written = writes.all.iter();
         let written = written.map(|(expr, v)| (*v, program.tree.expr(*expr).extent.first));
         let mut all: Vec<(VariableId, TokenId)> = written.collect();
         let variables = program.variables.iter().zip(0..);

@@ -54,7 +54,7 @@ pub fn lint_within(
     facts.samples.supplier = facts.around.supplier;
     facts.samples.limit = settings.sample_limit();
     facts.break_at(obstacles);
-    if facts.broken.is_everything() {
+    if facts.broken.is_everything {
         return SkippedRules::Everywhere;
     }
     let before = diagnostics.len();

@@ -44,7 +44,7 @@ pub struct Session {
     /// Number of requests sent to the client.
     asked: u32,
     /// Whether the client sent `shutdown`.
-    is_done: bool,
+    pub is_done: bool,
     /// The configurations with published findings.
     invalid: BTreeMap<PathBuf, ConfigProblem>,
     /// Whether configurations are to be looked at again.
@@ -109,11 +109,6 @@ impl Session {
     /// All documents as they are now.
     pub fn snapshot(&self) -> &Snapshot {
         &self.now
-    }
-
-    /// Whether the client sent `shutdown`.
-    pub fn is_done(&self) -> bool {
-        self.is_done
     }
 
     /// The messages for the client since the last call.

@@ -24,7 +24,7 @@ impl ModuleDebugger {
     /// Handles a message of the client. Returns the messages for it.
     pub fn message(&mut self, message: &Value) -> Value {
         let messages = self.adapter.handle(message);
-        if self.adapter.is_done() {
+        if self.adapter.is_done {
             *self = ModuleDebugger::default();
         }
         messages.into()

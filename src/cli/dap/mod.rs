@@ -44,7 +44,7 @@ pub fn serve() -> io::Result<()> {
         })?;
     let programs = DiskPrograms;
     let mut adapter = Adapter::new(&programs);
-    while !adapter.is_done() {
+    while !adapter.is_done {
         let Some(body) = next(&messages, &mut adapter, &interrupt)? else {
             return Ok(());
         };

@@ -139,12 +139,12 @@ impl Server {
                 }
                 Some(Message::Notification(notification)) => {
                     if notification.method == "exit" {
-                        return self.session.is_done();
+                        return self.session.is_done;
                     }
                     self.session.notification(notification);
                 }
                 Some(Message::Response(response)) => self.session.response(response),
-                None if self.is_closed => return self.session.is_done(),
+                None if self.is_closed => return self.session.is_done,
                 None => {}
             }
         }

@@ -80,7 +80,7 @@ fn row(
     (setting, moment): (&ShotSetting, &Moment),
     march: &March,
 ) -> Option<RayRow> {
-    let quads = quads_all_over(own.size(), MOST_QUADS, 0);
+    let quads = quads_all_over(own.size, MOST_QUADS, 0);
     let [short, shortest] = StepLength::SHORTER;
     let runs = [StepLength::FULL, short, shortest].map(|length| {
         let probe = ray_probe(march, &own.module, length)?;

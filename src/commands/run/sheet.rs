@@ -24,7 +24,7 @@ pub fn draw(
     progress: &mut dyn FnMut(RunProgress),
 ) -> Result<(Bitmap, SheetFacts), String> {
     let columns = columns(count);
-    let small = shot.size().map(|side| (side / columns).max(1));
+    let small = shot.size.map(|side| (side / columns).max(1));
     let scale = (small[0] / 80).clamp(1, 4);
     let label = font::HEIGHT * scale + 2 * GAP;
     let rows = count.div_ceil(columns);

@@ -38,10 +38,11 @@ pub struct Shot {
     /// Cached analyses of the pass.
     pub known: Arc<CachedFacts>,
     /// Index of the compile unit.
-    unit: usize,
+    pub unit: usize,
     /// Index of the pass in the project.
     pass: usize,
-    size: [u32; 2],
+    /// Size of the image in pixels.
+    pub size: [u32; 2],
     threads: usize,
     /// Whether the last outputs are those of a ray probe.
     observes_rays: bool,
@@ -162,11 +163,6 @@ impl Shot {
         Ok(trace(&inputs.with(self.code()), pixel, most))
     }
 
-    /// Index of the compile unit that is shown.
-    pub const fn unit(&self) -> usize {
-        self.unit
-    }
-
     /// Draws some quads of a frame, given by their lower left pixels.
     ///
     /// # Errors
@@ -189,11 +185,6 @@ impl Shot {
             false => 0,
         };
         all.get(..all.len().saturating_sub(probed)).unwrap_or(all)
-    }
-
-    /// Size of the image in pixels.
-    pub const fn size(&self) -> [u32; 2] {
-        self.size
     }
 
     /// Notes about inputs that were missing or replaced.
@@ -226,7 +217,7 @@ impl Shot {
             Playback::Project(player) => {
                 let missing = missing(project).into_iter();
                 notes.extend(missing.map(|m| format!("{}: {}; {}", m.place, m.what, m.stand_in)));
-                notes.extend(player.notes().iter().cloned());
+                notes.extend(player.notes.iter().cloned());
             }
         }
         notes

@@ -121,7 +121,7 @@ pub fn trace(
     Ok(TraceFacts {
         schema: 1,
         file: loaded.name.clone(),
-        size: shot.size(),
+        size: shot.size,
         time: moment.time,
         frame: moment.frame,
         mouse: facts::mouse(moment),

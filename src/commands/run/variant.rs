@@ -12,13 +12,15 @@ use std::sync::Arc;
 
 /// A pass with its own code, and the inputs of a frame.
 pub struct Variant {
-    composed: Composed,
+    /// The texts of the passes.
+    pub composed: Composed,
     unit: usize,
     /// The IR.
     pub module: Module,
     /// The bytecode.
     pub code: Bytecode,
-    inputs: DrawInputs,
+    /// The inputs of the draw.
+    pub inputs: DrawInputs,
 }
 
 /// The draw of a frame, whose inputs a variant takes over.
@@ -40,8 +42,8 @@ impl<'d> FrameDraw<'d> {
     /// The draw that a shot has prepared.
     pub fn of(shot: &'d Shot, inputs: &'d DrawInputs, moment: &'d Moment) -> FrameDraw<'d> {
         FrameDraw {
-            unit: shot.unit(),
-            size: shot.size(),
+            unit: shot.unit,
+            size: shot.size,
             moment,
             code: shot.code(),
             inputs,
@@ -106,16 +108,6 @@ impl Variant {
     pub fn program(&self) -> Option<&Program> {
         let unit = self.composed.units.get(self.unit)?;
         Some(&self.composed.analysis(unit).program)
-    }
-
-    /// The texts of the passes.
-    pub const fn composed(&self) -> &Composed {
-        &self.composed
-    }
-
-    /// The inputs of the draw.
-    pub const fn inputs(&self) -> &DrawInputs {
-        &self.inputs
     }
 
     /// Takes over the inputs of another draw of the same frame.

@@ -31,7 +31,7 @@ pub struct Adapter<'p> {
     /// The number of the last message.
     sequence: u64,
     /// Whether the client has disconnected.
-    is_done: bool,
+    pub is_done: bool,
     /// The number of the progress that the client shows.
     progress: Option<u64>,
 }
@@ -62,11 +62,6 @@ impl<'p> Adapter<'p> {
             is_done: false,
             progress: None,
         }
-    }
-
-    /// Whether the client has disconnected.
-    pub const fn is_done(&self) -> bool {
-        self.is_done
     }
 
     /// Whether another thread draws, so that [`Adapter::idle`] will have more to do.

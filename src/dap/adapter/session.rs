@@ -312,7 +312,7 @@ impl DebugSession {
 
     /// Notes about inputs that were missing or replaced.
     pub fn notes(&self) -> Vec<DebugEvent> {
-        let notes = self.debuggee.notes().iter();
+        let notes = self.debuggee.notes.iter();
         notes
             .map(|note| super::reply::output("console", &format!("note: {note}")))
             .collect()

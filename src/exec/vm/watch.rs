@@ -29,7 +29,7 @@ pub(crate) struct Watched {
     /// The iterations of all loops in this tile that all lanes executed.
     shared_iterations: u32,
     /// The operations executed for this tile, counted once for all its pixels.
-    ran: u32,
+    pub ran: u32,
     /// By charge: the cost summed over pixels.
     paid: Vec<u64>,
     loops: Vec<LoopCount>,
@@ -218,12 +218,6 @@ impl Watched {
             seen.taken += held as u64;
             seen.skipped += (active.pixels - held) as u64;
         }
-    }
-
-    /// The operations executed for this tile, which is more than the cost of any pixel if they
-    /// diverge.
-    pub const fn ran(&self) -> u32 {
-        self.ran
     }
 
     /// Charges the active lanes for operations.

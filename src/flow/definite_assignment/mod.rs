@@ -41,7 +41,7 @@ impl DefiniteAssignment {
         let ignored = ignored(module, calls);
         let mut walk = AssignmentWalk::new(program, module, mentions, &ignored, query);
         let mut paths = DefiniteAssignment::default();
-        for id in calls.graph().bottom_up() {
+        for id in calls.graph.bottom_up() {
             let globals = match Some(id) == main {
                 true => outputs.as_slice(),
                 false => &[],
@@ -62,7 +62,7 @@ impl DefiniteAssignment {
 /// `in` parameters whose value is unused, except as an argument for another such parameter.
 fn ignored(module: &Module, calls: &Calls) -> FxHashSet<VariableId> {
     let mut ignored = FxHashSet::default();
-    for id in calls.graph().bottom_up() {
+    for id in calls.graph.bottom_up() {
         let Some(function) = module.function(id) else {
             continue;
         };

@@ -39,7 +39,7 @@ pub fn ray_loops(query: Query, calls: &Calls) -> Vec<RayLoop> {
     let all: Vec<(RayLoop, Stepped)> = all.collect();
     let ids: Vec<LoopId> = all.iter().map(|(ray, _)| ray.looped).collect();
     let holds = |function| all.iter().any(|(ray, _)| ray.function == function);
-    let marching = calls.graph().reaching(holds);
+    let marching = calls.graph.reaching(holds);
     let starts = Starts::new(query, &ids, &marching);
     let found = all.into_iter().map(|(mut ray, stepped)| {
         if ids.len() <= MAX_LOOPS {

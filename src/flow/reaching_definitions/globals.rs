@@ -35,9 +35,9 @@ impl Walker<'_> {
                     && (written.is_empty() || !function.ops.ops().any(changes))
             })
             .collect();
-        for caller in calls.graph().bottom_up() {
+        for caller in calls.graph.bottom_up() {
             let is_pure = calls
-                .graph()
+                .graph
                 .callees(caller)
                 .all(|f| pure.get(f.0 as usize) == Some(&true));
             if let Some(own) = pure.get_mut(caller.0 as usize) {
@@ -65,11 +65,11 @@ impl Walker<'_> {
                 }
             }
         }
-        for caller in calls.graph().bottom_up() {
+        for caller in calls.graph.bottom_up() {
             let Some(mut all) = own.get_mut(caller.0 as usize).map(std::mem::take) else {
                 continue;
             };
-            let called = calls.graph().callees(caller);
+            let called = calls.graph.callees(caller);
             all.extend(called.filter_map(|f| own.get(f.0 as usize)).flatten());
             own.set_at(caller.0 as usize, all);
         }

@@ -273,7 +273,7 @@ fn own_entry(place: &RefactorPlace) -> Option<FunctionRef> {
         definition.is_some_and(|d| program.is_user(program.span(d.header)))
     };
     let entry = place.facts.entry()?;
-    let calls = place.facts.calls().all().iter();
+    let calls = place.facts.calls().all.iter();
     let called = calls.filter(|call| call.caller == Some(entry));
     let mut all = [entry].into_iter().chain(called.map(|call| call.callee));
     all.find(|id| is_own(*id))

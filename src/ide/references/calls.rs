@@ -71,7 +71,7 @@ pub fn incoming(documents: &[&Document], document: &Document, offset: u32) -> Ve
     for document in documents {
         let analyses = document.report.analyses.iter();
         for (analysis, (program, index)) in analyses.zip(document.shaders()) {
-            let own = index.all().iter().find_map(|o| match o.symbol {
+            let own = index.all.iter().find_map(|o| match o.symbol {
                 Symbol::Function(id) if document.origin(program, o.symbol) == origin => Some(id),
                 _ => None,
             });

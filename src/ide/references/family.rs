@@ -105,7 +105,7 @@ impl SameWord {
                 for (shader, (program, index)) in reading.shaders().enumerate() {
                     let key = is_same.then_some((number, shader));
                     let same = |o: &&Occurrence| program.sources.text(o.span) == word;
-                    for occurrence in index.all().iter().filter(same) {
+                    for occurrence in index.all.iter().filter(same) {
                         found.add(reading, program, *occurrence, number, key);
                     }
                     let places = unresolved(program, word).into_iter();

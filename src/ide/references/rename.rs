@@ -355,7 +355,7 @@ fn meanings(document: &Document, renaming: Option<&Renaming>) -> Vec<Vec<NameMea
     };
     let of = |(program, index): (&Program, &crate::Index)| {
         let mut origins: BTreeMap<Symbol, Option<FileSpan>> = BTreeMap::new();
-        let seen = index.all().iter().filter(|o| o.access != NameUse::Unseen);
+        let seen = index.all.iter().filter(|o| o.access != NameUse::Unseen);
         let meaning = seen.filter_map(|o| {
             let place = document.place(o.span).map(&moved)?;
             let origin = origins.entry(o.symbol).or_insert_with(|| {

@@ -68,7 +68,7 @@ fn hits(facts: &Facts) -> Vec<Hit> {
     });
     // The condition is in the function of the loop, or in a caller.
     let holds = |function| marches.iter().any(|(m, _)| m.looped.function == function);
-    let reaching = facts.calls().graph().reaching(holds);
+    let reaching = facts.calls().graph.reaching(holds);
     let mut hits = Vec::new();
     for (function, reaches) in module.functions.iter().zip(reaching) {
         if let Some(body) = function.body

@@ -47,7 +47,7 @@ pub fn marches(
     let Some(entry) = entry else {
         return Vec::new();
     };
-    let reached = calls.graph().reached_from(entry);
+    let reached = calls.graph.reached_from(entry);
     let is_reached = |f: FunctionRef| reached.get(f.0 as usize).copied().unwrap_or(false);
     let rays = ray_loops(query, calls).into_iter();
     rays.filter(|ray| is_reached(ray.function))
@@ -192,7 +192,7 @@ pub fn way(
     entry: FunctionRef,
     to: FunctionRef,
 ) -> Option<String> {
-    let chain = calls.graph().chain(entry, to)?;
+    let chain = calls.graph.chain(entry, to)?;
     let names: Vec<String> = chain
         .iter()
         .filter_map(|f| program.function(*f))

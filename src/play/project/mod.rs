@@ -40,7 +40,8 @@ pub struct Player {
     canvas: Vec<[f32; 4]>,
     /// Number of the next frame.
     next: u32,
-    notes: Vec<String>,
+    /// Notes about substitutes.
+    pub notes: Vec<String>,
     /// A request to stop drawing.
     pub cancelled: Option<Arc<AtomicBool>>,
 }
@@ -145,11 +146,6 @@ impl Player {
             }
         }
         if is_set { Ok(()) } else { Err(refused) }
-    }
-
-    /// Notes about substitutes.
-    pub fn notes(&self) -> &[String] {
-        &self.notes
     }
 
     /// Whether a frame depends on previous frames.
@@ -327,7 +323,7 @@ impl Player {
     /// The size of the image of a pass.
     fn size_of(&self, pass: &PlayedPass) -> [u32; 2] {
         let target = pass.target.and_then(|target| self.targets.get(target));
-        target.map_or(self.size, ImagePair::side)
+        target.map_or(self.size, |pair| pair.side)
     }
 
     /// A draw of a pass with all its inputs.

@@ -37,7 +37,7 @@ enum Depth {
 
 pub(super) struct ImagePair {
     shape: ImageShape,
-    side: [u32; 2],
+    pub side: [u32; 2],
     depth: Depth,
     /// Whether a channel reads it with mipmaps.
     has_levels: bool,
@@ -49,10 +49,6 @@ pub(super) struct ImagePair {
 }
 
 impl ImagePair {
-    pub fn side(&self) -> [u32; 2] {
-        self.side
-    }
-
     pub fn image(&self) -> Arc<Image> {
         Arc::clone(&self.front)
     }

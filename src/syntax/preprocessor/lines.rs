@@ -11,7 +11,7 @@ pub(super) struct LineCount {
     /// texts, as set by `#line`; without one, the first compiled line is 1.
     shift: Option<i64>,
     /// Number of the current source string: 0, or the value from `#line`.
-    file: i32,
+    pub(super) file: i32,
 }
 
 /// A text that contributes to the line count.
@@ -40,11 +40,6 @@ impl LineCount {
         self.shift = Some(number - own_line(sources, address));
         let before = self.texts.len().saturating_sub(1);
         self.texts.drain(..before);
-    }
-
-    /// Number of the current source string.
-    pub(super) fn file(&self) -> i32 {
-        self.file
     }
 
     /// Line number of an address in the current text.

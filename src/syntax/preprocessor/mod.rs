@@ -694,7 +694,7 @@ impl<'a> Preprocessor<'a> {
                 // `__LINE__` in an expansion has the line where the call ends.
                 Some(self.lines.at(self.sources, token.span.end) as u32)
             }
-            "__FILE__" => Some(self.lines.file() as u32),
+            "__FILE__" => Some(self.lines.file as u32),
             _ => None,
         }
     }
