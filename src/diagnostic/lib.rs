@@ -4,11 +4,12 @@ mod code;
 
 pub use code::{Certainty, ERRORS, ErrorKind, Facet, Lack, error};
 
+use serde::{Deserialize, Serialize};
 use shaderlint_text::{Edit, Span};
 use std::sync::Arc;
 
 /// Severity of a finding.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 pub enum Severity {
     /// Useful to know.
     Info,
@@ -30,7 +31,7 @@ impl Severity {
 }
 
 /// An annotation of a source span.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Label {
     /// The annotated span.
     pub span: Span,
@@ -39,7 +40,7 @@ pub struct Label {
 }
 
 /// Whether a fix can be applied without review.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
 pub enum Applicability {
     /// Keeps the output of the shader, or is the only way to make it compile.
     Safe,
@@ -58,7 +59,7 @@ impl Applicability {
 }
 
 /// A fix for a finding. Its edits never overlap.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Fix {
     /// What it does, as an imperative: "use `1.0`".
     pub title: String,
@@ -101,7 +102,7 @@ impl Fix {
 }
 
 /// A macro call that produced the code in question.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct MacroUse {
     /// Name of the macro.
     pub name: String,
@@ -112,7 +113,7 @@ pub struct MacroUse {
 }
 
 /// Where a finding is documented.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub enum Origin {
     /// A compile error; `rules/errors/NAME.md`.
     Compiler,
@@ -147,12 +148,14 @@ impl Subject {
     }
 }
 
-/// One finding.
-#[derive(Clone, PartialEq, Eq, Debug)]
+/// One finding. Serialized, it has what is printed and does not refer to a table.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Diagnostic {
     /// Name of the rule or error, also the name of its page.
+    #[serde(skip)]
     pub rule: &'static str,
     /// Kind of compile error, for use by code; `None` for lint rules.
+    #[serde(skip)]
     pub kind: Option<ErrorKind>,
     /// Whether it is from the compiler, a lint rule or the report.
     pub origin: Origin,
@@ -161,6 +164,7 @@ pub struct Diagnostic {
     /// Title: what is wrong, in lower case, without a full stop, names in backticks.
     pub message: String,
     /// What a syntax error is about.
+    #[serde(skip)]
     pub subject: Subject,
     /// Primary span.
     pub span: Span,
@@ -169,6 +173,7 @@ pub struct Diagnostic {
     /// Secondary spans with annotations.
     pub labels: Vec<Label>,
     /// Other places of the same mistake, with the messages that they would have on their own.
+    #[serde(skip)]
     pub others: Vec<Label>,
     /// Explanations: the rule of the language, or evidence.
     pub notes: Vec<String>,
@@ -179,6 +184,7 @@ pub struct Diagnostic {
     /// How to fix it automatically.
     pub fix: Option<Fix>,
     /// For a shader fragment: the hosts assumed to complete it.
+    #[serde(skip)]
     pub part: Option<Arc<[String]>>,
 }
 

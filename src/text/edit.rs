@@ -1,9 +1,10 @@
 //! Replacements of text.
 
 use super::Span;
+use serde::{Deserialize, Serialize};
 
 /// Replaces the text under `span` with `text`; an empty span inserts.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Edit {
     /// The replaced text.
     pub span: Span,

@@ -1,7 +1,11 @@
 //! Half-open ranges of bytes.
 
+use serde::{Deserialize, Serialize};
+
 /// A half-open range of bytes in the address space of one [`Sources`](super::Sources).
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
+#[derive(
+    Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug, Serialize, Deserialize,
+)]
 pub struct Span {
     /// Address of the first byte.
     pub start: u32,

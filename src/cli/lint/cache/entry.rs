@@ -1,13 +1,11 @@
 //! What the cache keeps of a check: all that is printed, and the questions whose answers it depends on.
 
 use super::recorder::Question;
-use crate::diagnostic::{
-    Applicability, Diagnostic, ERRORS, Fix, Label, MacroUse, Origin, Severity,
-};
+use crate::diagnostic::{Diagnostic, ERRORS};
 use crate::engine::{Offer, Report};
 use crate::report::Scope;
 use crate::rules::RULES;
-use crate::text::{Edit, Role, Sources, Span};
+use crate::text::{Role, Sources, Span};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -36,31 +34,13 @@ struct StoredFile {
     is_input: bool,
 }
 
+/// A finding, as far as it is printed, with what it refers to elsewhere.
 #[derive(Debug, Deserialize, Serialize)]
 struct StoredFinding {
     rule: String,
-    origin: u8,
-    severity: u8,
-    message: String,
-    span: [u32; 2],
-    label: String,
-    labels: Vec<([u32; 2], String)>,
-    notes: Vec<String>,
-    help: Vec<String>,
-    macros: Vec<(String, [u32; 2], [u32; 2])>,
-    fix: Option<StoredFix>,
     part: Option<Vec<String>>,
+    finding: Diagnostic,
 }
-
-#[derive(Debug, Deserialize, Serialize)]
-struct StoredFix {
-    title: String,
-    is_safe: bool,
-    edits: Vec<([u32; 2], String)>,
-}
-
-const ORIGINS: [Origin; 3] = [Origin::Compiler, Origin::Rule, Origin::Report];
-const SEVERITIES: [Severity; 3] = [Severity::Info, Severity::Warning, Severity::Error];
 
 impl Entry {
     /// The entry of a report on this input.
@@ -152,83 +132,20 @@ fn refers_to(d: &Diagnostic, file: Span) -> bool {
 
 impl StoredFinding {
     fn of(d: &Diagnostic) -> StoredFinding {
-        let macros = d.macros.iter();
         StoredFinding {
             rule: d.rule.to_string(),
-            origin: ORIGINS.iter().position(|o| *o == d.origin).unwrap_or(0) as u8,
-            severity: d.severity as u8,
-            message: d.message.clone(),
-            span: ends(d.span),
-            label: d.label.clone(),
-            labels: d
-                .labels
-                .iter()
-                .map(|l| (ends(l.span), l.message.clone()))
-                .collect(),
-            notes: d.notes.clone(),
-            help: d.help.clone(),
-            macros: macros
-                .map(|m| (m.name.clone(), ends(m.call), ends(m.definition)))
-                .collect(),
-            fix: d.fix.as_ref().map(|fix| StoredFix {
-                title: fix.title.clone(),
-                is_safe: fix.applicability == Applicability::Safe,
-                edits: fix
-                    .edits
-                    .iter()
-                    .map(|e| (ends(e.span), e.text.clone()))
-                    .collect(),
-            }),
             part: d.part.as_ref().map(|hosts| hosts.to_vec()),
+            finding: d.clone(),
         }
     }
 
     fn finding(self) -> Option<Diagnostic> {
         let rules = RULES.iter().map(|rule| rule.name);
         let mut names = rules.chain(ERRORS.iter().copied());
-        let name = names.find(|name| *name == self.rule)?;
-        let origin = *ORIGINS.get(usize::from(self.origin))?;
-        let severity = *SEVERITIES.get(usize::from(self.severity))?;
-        let mut d = Diagnostic::new(name, origin, severity, span(self.span), self.message);
-        d.label = self.label;
-        let label = |(place, message)| Label {
-            span: span(place),
-            message,
-        };
-        d.labels = self.labels.into_iter().map(label).collect();
-        (d.notes, d.help) = (self.notes, self.help);
-        let macros = self.macros.into_iter();
-        d.macros = macros
-            .map(|(name, call, definition)| MacroUse {
-                name,
-                call: span(call),
-                definition: span(definition),
-            })
-            .collect();
-        d.fix = self.fix.map(StoredFix::fix);
-        d.part = self.part.map(Arc::from);
-        Some(d)
+        Some(Diagnostic {
+            rule: names.find(|name| *name == self.rule)?,
+            part: self.part.map(Arc::from),
+            ..self.finding
+        })
     }
-}
-
-impl StoredFix {
-    fn fix(self) -> Fix {
-        let edits = self.edits.into_iter();
-        let edits = edits.map(|(place, text)| Edit {
-            span: span(place),
-            text,
-        });
-        match self.is_safe {
-            true => Fix::safe(self.title, edits.collect()),
-            false => Fix::suggestion(self.title, edits.collect()),
-        }
-    }
-}
-
-fn ends(span: Span) -> [u32; 2] {
-    [span.start, span.end]
-}
-
-fn span([start, end]: [u32; 2]) -> Span {
-    Span::new(start, end)
 }
