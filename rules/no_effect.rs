@@ -88,6 +88,7 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
     let program = cx.program;
     let tree = &program.tree;
     let inner = tree.expr(tree.unparen(root));
+    let removal = || without_statement(program, cx.facts.structure(), stmt);
     let (message, fix) = match inner.kind {
         ExprKind::Binary(BinaryOp::Equal, left, right) => {
             let operator = program.token(tree.expr(left).extent.last + 1);
@@ -126,9 +127,9 @@ fn report_statement(cx: &mut Context, stmt: StmtId, root: ExprId) {
                 let edit = Edit::insert(start, format!("{text} = "));
                 Fix::suggestion(format!("assign the result to `{text}`"), vec![edit])
             });
-            (message, fix.or_else(|| removal(cx, stmt)))
+            (message, fix.or_else(removal))
         }
-        _ => ("statement has no effect".to_string(), removal(cx, stmt)),
+        _ => ("statement has no effect".to_string(), removal()),
     };
     cx.report_expr(root, message).fix(fix);
 }
@@ -175,14 +176,4 @@ fn assignment(cx: &Context, left: ExprId) -> Option<Fix> {
     );
     let edit = Edit::insert(operator.span.end, "=");
     Some(Fix::suggestion(title, vec![edit]))
-}
-
-fn removal(cx: &Context, stmt: StmtId) -> Option<Fix> {
-    let tree = &cx.program.tree;
-    let outer = tree.stmt(cx.facts.structure().outer(stmt)?).kind;
-    if !matches!(outer, StmtKind::Block(_)) {
-        return None;
-    }
-    let edit = remove_statement(cx.program, tree.stmt(stmt).extent)?;
-    Some(Fix::safe("remove this statement", vec![edit]))
 }

@@ -108,14 +108,8 @@ fn copied(cx: &Context, stmt: StmtId) -> Option<(VariableId, VariableId)> {
 }
 
 fn removal(cx: &Context, id: ExprId) -> Option<Fix> {
-    let tree = &cx.program.tree;
     let structure = cx.facts.structure();
     let stmt = structure.stmt_of(id)?;
-    let outer = tree.stmt(structure.outer(stmt)?).kind;
-    let is_all = tree.stmt(stmt).kind == StmtKind::Expr(id);
-    if !is_all || !matches!(outer, StmtKind::Block(_)) {
-        return None;
-    }
-    let edit = remove_statement(cx.program, tree.stmt(stmt).extent)?;
-    Some(Fix::safe("remove this statement", vec![edit]))
+    let is_all = cx.program.tree.stmt(stmt).kind == StmtKind::Expr(id);
+    without_statement(cx.program, structure, stmt).filter(|_| is_all)
 }

@@ -33,7 +33,7 @@ pub use context::{Context, Finding};
 pub use facts::{CachedFacts, Facts, ShaderContext};
 pub use fix::indent;
 pub use fix::look::{Look, Shown};
-pub use fix::removal::{remove_declaration, remove_lines, remove_statement};
+pub use fix::removal::{remove_declaration, remove_lines, remove_statement, without_statement};
 pub use fix::{Allow, Fixed, Proof, failing_fixes, fix, keep_comments, without_images};
 pub use inactive_words::InactiveWords;
 pub use option::{OptionType, OptionValue, RuleOption, Setting};

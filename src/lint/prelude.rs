@@ -3,7 +3,7 @@
 pub use crate::sample::{Round, SampleFrame, SampleRun, SampledPixel, share};
 pub use crate::{
     BinaryExpr, Builtin, Context, DeclaredName, DeclaredVariable, Setting, Shape, remove_statement,
-    same_code,
+    same_code, without_statement,
 };
 pub use shaderlint_diagnostic::Fix;
 pub use shaderlint_exec::{FaultKind, Watch};

@@ -3,6 +3,7 @@
 //! The function is drawn over planes in space: random ones of several sizes, then smaller ones around the
 //! steepest places, along their gradients. Two neighbouring pixels are a witness of a slope.
 
+use serde::Serialize;
 use shaderlint_engine::inputs::{Moment, Scene};
 use shaderlint_exec::{CompileOptions, Draw, Drawn, draw};
 use shaderlint_flow::DistanceField;
@@ -25,14 +26,14 @@ const ROUNDS: u32 = 8;
 const ROUNDING: f64 = 1e-6;
 
 /// Two points, and the values of a field there.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct Steepest {
+    /// The difference of the values divided by the distance, less what rounding may contribute.
+    pub slope: f64,
     /// The points.
     pub points: [[f64; 3]; 2],
     /// The values.
     pub values: [f64; 2],
-    /// The difference of the values divided by the distance, less what rounding may contribute.
-    pub slope: f64,
     /// Time in seconds, if the field reads uniforms.
     pub time: Option<f64>,
     /// Number of points at which the field was evaluated.

@@ -252,6 +252,7 @@ fn parameters(
 }
 
 /// A WGSL module as naga writes it, in parts.
+#[derive(Default)]
 struct WgslModule {
     /// Everything but the bindings, the struct of uniforms and the entry point.
     code: String,
@@ -269,14 +270,7 @@ struct WgslModule {
 
 impl WgslModule {
     fn read(text: &str) -> Option<WgslModule> {
-        let mut module = WgslModule {
-            code: String::new(),
-            members: Vec::new(),
-            textures: Vec::new(),
-            entry: String::new(),
-            varyings: Vec::new(),
-            is_plain: false,
-        };
+        let mut module = WgslModule::default();
         let mut lines = text.lines();
         while let Some(line) = lines.next() {
             if line.starts_with("//") || line.starts_with("diagnostic(") {

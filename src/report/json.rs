@@ -11,28 +11,9 @@ use std::io::{self, Write};
 const SCHEMA: u32 = 1;
 
 #[derive(Serialize)]
-struct JsonPlace {
-    line: u32,
-    column: u32,
-    utf16: u32,
-    byte: u32,
-}
-
-impl From<Position> for JsonPlace {
-    fn from(p: Position) -> JsonPlace {
-        JsonPlace {
-            line: p.line,
-            column: p.column,
-            utf16: p.utf16,
-            byte: p.byte,
-        }
-    }
-}
-
-#[derive(Serialize)]
 struct Range {
-    start: JsonPlace,
-    end: JsonPlace,
+    start: Position,
+    end: Position,
 }
 
 impl Range {
@@ -45,7 +26,7 @@ impl Range {
                 utf16: 1,
                 byte: 0,
             };
-            file.map_or(nowhere, |f| f.shown_position(address)).into()
+            file.map_or(nowhere, |f| f.shown_position(address))
         };
         Range {
             start: place(span.start),

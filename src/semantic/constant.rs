@@ -29,6 +29,16 @@ impl Value {
         }
     }
 
+    /// The type and bit pattern, for hashing.
+    pub fn bits(self) -> (Scalar, u32) {
+        match self {
+            Value::Bool(v) => (Scalar::Bool, u32::from(v)),
+            Value::Int(v) => (Scalar::Int, v as u32),
+            Value::Uint(v) => (Scalar::Uint, v),
+            Value::Float(v) => (Scalar::Float, v.to_bits()),
+        }
+    }
+
     /// The result of `bool(x)`.
     pub fn as_bool(self) -> bool {
         match self {

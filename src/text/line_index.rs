@@ -1,9 +1,10 @@
 //! Converts byte offsets to lines and columns.
 
 use memchr::memchr2_iter;
+use serde::Serialize;
 
 /// A position as people and editors count it. All numbers except `byte` start at 1.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize)]
 pub struct Position {
     /// Line number; `\n`, `\r\n` and a lone `\r` end a line (GLSL ES 3.00 section 3.1).
     pub line: u32,

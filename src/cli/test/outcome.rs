@@ -5,7 +5,7 @@ use crate::text::number::short;
 use serde::Serialize;
 
 /// The result of one test. The JSON format may gain fields, but never loses any.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Default, Debug, Serialize)]
 pub struct TestRow {
     /// Name of the file.
     pub file: String,
@@ -43,10 +43,11 @@ pub struct TestRow {
 }
 
 /// The status of a test.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
     /// The test passed.
+    #[default]
     Passed,
     /// The golden image was written.
     #[serde(rename = "blessed")]
@@ -142,16 +143,7 @@ impl TestRow {
         TestRow {
             file: file.to_string(),
             name: name.to_string(),
-            status: Status::Passed,
-            at: None,
-            parameters: Vec::new(),
-            message: None,
-            expected_failure: None,
-            counterexample: None,
-            operations: None,
-            conditions: Vec::new(),
-            difference: None,
-            written: None,
+            ..TestRow::default()
         }
     }
 

@@ -27,7 +27,7 @@ pub struct Compared {
     pub output: Option<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct MomentCompared {
     time: f64,
     frame: u32,
@@ -120,10 +120,7 @@ fn difference(drawn: [&Drawn; 2], codes: [&Bytecode; 2], moment: &Moment) -> Com
         time: moment.time,
         frame: moment.frame,
         mouse: facts::mouse(moment),
-        pixels: 0,
-        shown: 0,
-        most: 0.0,
-        first: None,
+        ..MomentCompared::default()
     };
     let width = a.size[0].max(1);
     let [left, right] = images.each_ref().map(|p| p.pixels.as_slice());

@@ -197,23 +197,15 @@ impl RunFacts {
             "  {:9} {mean:.0} operations per pixel, at most {most}\n",
             "cost"
         ));
-        if let Some(loops) = &self.loops {
-            text.push_str(&loops::table(loops));
-        }
-        if let Some(rays) = &self.rays {
-            text.push_str(&rays::lines(rays));
-        }
-        if let Some(numbers) = &self.numbers {
-            text.push_str(&numbers::table(numbers));
-        }
-        if let Some(functions) = &self.functions {
-            text.push_str(&functions::table(functions));
-        }
-        if let Some(fields) = &self.fields {
-            text.push_str(&fields::lines(fields));
-        }
-        text.push_str(&written(self.output.as_deref()));
-        text
+        let report = [
+            self.loops.as_deref().map(loops::table),
+            self.rays.as_deref().map(rays::lines),
+            self.numbers.as_deref().map(numbers::table),
+            self.functions.as_deref().map(functions::table),
+            self.fields.as_deref().map(fields::lines),
+        ];
+        text.extend(report.into_iter().flatten());
+        text + &written(self.output.as_deref())
     }
 }
 

@@ -24,22 +24,7 @@ pub struct FieldRow {
     /// `steeper` (than a distance, between two points), `gentle` (in all samples) or `undecided`.
     pub verdict: &'static str,
     /// The steepest two points that were sampled; `None` if the function cannot be run on its own.
-    pub steepest: Option<SteepRow>,
-}
-
-/// Two points, and the values of a field there.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct SteepRow {
-    /// Difference of the values divided by the distance of the points.
-    pub slope: f64,
-    /// The points.
-    pub points: [[f64; 3]; 2],
-    /// The values.
-    pub values: [f64; 2],
-    /// Time in seconds, if the field depends on uniforms.
-    pub time: Option<f64>,
-    /// Number of points that were sampled.
-    pub samples: u64,
+    pub steepest: Option<Steepest>,
 }
 
 /// The distance fields of a pass; `None` if there are none.
@@ -67,13 +52,7 @@ fn row(program: &Program, field: DistanceField, found: Option<Steepest>) -> Fiel
             Some(_) => "gentle",
             None => "undecided",
         },
-        steepest: found.map(|found| SteepRow {
-            slope: found.slope,
-            points: found.points,
-            values: found.values,
-            time: found.time,
-            samples: found.samples,
-        }),
+        steepest: found,
     }
 }
 
@@ -110,7 +89,7 @@ mod tests {
 
     #[test]
     fn distance_fields_are_summarised_in_text() {
-        let steep = SteepRow {
+        let steep = Steepest {
             slope: 1.834,
             points: [[0.0, 1.0, 2.0], [0.0, 1.0, 2.01]],
             values: [0.5, 0.6],
@@ -121,11 +100,11 @@ mod tests {
             function: "map".to_string(),
             at: Some("a.glsl:1:7".to_string()),
             verdict: "steeper",
-            steepest: Some(steep.clone()),
+            steepest: Some(steep),
         };
         let gentle = FieldRow {
             verdict: "gentle",
-            steepest: Some(SteepRow {
+            steepest: Some(Steepest {
                 slope: 1.0,
                 ..steep
             }),

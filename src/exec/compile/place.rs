@@ -10,6 +10,7 @@ use shaderlint_semantic::{Base, Scalar, Type, VariableId};
 const MAX_SCALARS: u32 = 1 << 15;
 
 /// The location of a place within its variable, in scalars.
+#[derive(Default)]
 struct PlaceSpot {
     /// The offset of the first scalar, without dynamic indices.
     at: u32,
@@ -221,13 +222,7 @@ impl Compiler<'_> {
 
     fn spot(&mut self, variable: VariableId, path: &[Access]) -> Made<PlaceSpot> {
         let mut ty = self.module.variable(variable)?.ty;
-        let mut spot = PlaceSpot {
-            at: 0,
-            index: None,
-            len: 0,
-            lanes: None,
-            sampler: 0,
-        };
+        let mut spot = PlaceSpot::default();
         for access in path {
             match *access {
                 Access::Member(number) => {

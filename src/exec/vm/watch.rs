@@ -61,6 +61,7 @@ struct Ends {
 }
 
 /// The state of a loop in the current tile.
+#[derive(Default)]
 struct LoopCount {
     /// The lanes inside it.
     entered: u32,
@@ -77,14 +78,7 @@ struct LoopCount {
 
 impl Watched {
     pub fn new(code: &Bytecode) -> Watched {
-        let loops = code.loops.iter().map(|_| LoopCount {
-            entered: 0,
-            iterations: [0; LANES],
-            shared: 0,
-            most: [0; LANES],
-            came: 0,
-            exhausted: 0,
-        });
+        let loops = code.loops.iter().map(|_| LoopCount::default());
         Watched {
             cost: [0; LANES],
             shared_cost: 0,

@@ -13,6 +13,7 @@ const MAX_TOKENS: usize = 2_000;
 
 /// The tokens of a call, starting with its name, and the end of its arguments according to the
 /// brackets.
+#[derive(Default)]
 struct CallTokens {
     tokens: Vec<RawToken>,
     /// Span of the `(`.
@@ -50,12 +51,7 @@ impl FaultyShader<'_> {
     /// Reads the call whose name starts at `start`.
     fn written(&self, start: u32) -> Option<CallTokens> {
         let (_, rest) = self.program.sources.around(start);
-        let mut call = CallTokens {
-            tokens: Vec::new(),
-            open: Span::default(),
-            commas: Vec::new(),
-            close: None,
-        };
+        let mut call = CallTokens::default();
         let mut open = 0_u32;
         use RawKind::{BlockComment, LineComment, Newline, Whitespace};
         let is_blank = |kind| matches!(kind, Whitespace | Newline | LineComment | BlockComment);

@@ -4,7 +4,7 @@
 use super::state::PartMask;
 use rustc_hash::{FxHashMap, FxHasher};
 use shaderlint_ir::{Access, Binary, Module, OpId, OpKind, Root, Unary};
-use shaderlint_semantic::{Scalar, Value, VariableId};
+use shaderlint_semantic::VariableId;
 use std::hash::{Hash, Hasher};
 
 /// Maximum depth to which conditions are hashed.
@@ -156,7 +156,7 @@ impl Conditions {
         }
         let found = module.op(op);
         match found.kind {
-            OpKind::Const(_) => module.constant(op).iter().for_each(|v| bits(*v).hash(to)),
+            OpKind::Const(_) => module.constant(op).iter().for_each(|v| v.bits().hash(to)),
             OpKind::Load(place) => {
                 let place = module.place(place);
                 place.variable.hash(to);
@@ -225,16 +225,6 @@ impl Conditions {
         let own = self.consequences.iter();
         let own = own.filter(|c| c.variable == variable && self.facts.contains(&c.fact));
         own.fold(0, |all, c| all | c.mask)
-    }
-}
-
-/// The type and bit pattern of a value, for hashing.
-fn bits(value: Value) -> (Scalar, u32) {
-    match value {
-        Value::Bool(v) => (Scalar::Bool, v as u32),
-        Value::Int(v) => (Scalar::Int, v as u32),
-        Value::Uint(v) => (Scalar::Uint, v),
-        Value::Float(v) => (Scalar::Float, v.to_bits()),
     }
 }
 

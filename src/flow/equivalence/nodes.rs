@@ -94,15 +94,6 @@ pub(super) struct Nodes {
     pub host_structs: u16,
 }
 
-fn bits(value: &Value) -> (Scalar, u32) {
-    match *value {
-        Value::Bool(b) => (Scalar::Bool, u32::from(b)),
-        Value::Int(i) => (Scalar::Int, i as u32),
-        Value::Uint(u) => (Scalar::Uint, u),
-        Value::Float(f) => (Scalar::Float, f.to_bits()),
-    }
-}
-
 impl Nodes {
     /// The number of a node, after simplification.
     pub fn add(&mut self, tag: NodeTag, ty: Type, operands: Vec<NodeId>) -> NodeId {
@@ -156,7 +147,7 @@ impl Nodes {
 
     /// The number of a constant.
     pub fn constant(&mut self, values: &[Value], ty: Type) -> NodeId {
-        let values = values.iter().map(bits).collect();
+        let values = values.iter().map(|value| value.bits()).collect();
         self.number(NodeTag::Const(values), ty, Vec::new())
     }
 

@@ -53,7 +53,7 @@ pub enum Proof {
 }
 
 /// A text after its fixes.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Fixed {
     /// The text with the fixes applied.
     pub text: String,
@@ -74,10 +74,7 @@ impl Fixed {
     fn unchanged(text: &str) -> Fixed {
         Fixed {
             text: text.to_string(),
-            applied: Vec::new(),
-            proofs: Vec::new(),
-            left: Vec::new(),
-            rounds: Vec::new(),
+            ..Fixed::default()
         }
     }
 

@@ -1,8 +1,9 @@
 //! Edits that remove code cleanly: no blank line where a statement was, no comma left over.
 
 use crate::rule::DeclaredVariable;
-use shaderlint_semantic::Program;
-use shaderlint_syntax::ast::{Declarator, Extent};
+use shaderlint_diagnostic::Fix;
+use shaderlint_semantic::{Program, Structure};
+use shaderlint_syntax::ast::{Declarator, Extent, StmtId, StmtKind};
 use shaderlint_text::{Edit, Span};
 
 /// Removes a statement, declaration or function. `None` where it starts or ends in a macro, or where it
@@ -13,6 +14,14 @@ pub fn remove_statement(program: &Program, extent: Extent) -> Option<Edit> {
     let has_directive = program.sources.text(span).contains('#');
     (is_direct(extent.first) && is_direct(extent.last) && !has_directive)
         .then(|| remove_lines(program, span))
+}
+
+/// A safe fix that removes a statement, if it is in a block.
+pub fn without_statement(program: &Program, structure: &Structure, stmt: StmtId) -> Option<Fix> {
+    let outer = program.tree.stmt(structure.outer(stmt)?).kind;
+    let is_in_block = matches!(outer, StmtKind::Block(_));
+    let edit = remove_statement(program, program.tree.stmt(stmt).extent)?;
+    is_in_block.then(|| Fix::safe("remove this statement", vec![edit]))
 }
 
 /// Removes the code of a span, with its lines if nothing else is on them. Comments stay.

@@ -95,7 +95,7 @@ fn conditions(program: &Program, function: FunctionRef) -> Vec<(ExprId, Vec<Expr
     let own = all.filter(|id| definition.extent.contains(tree.expr(*id).extent));
     let asked = own.filter_map(|id| {
         let parts = match tree.expr(id).kind {
-            ExprKind::Binary(op, left, right) if compares(op) => vec![left, right],
+            ExprKind::Binary(op, left, right) if op.compares() => vec![left, right],
             ExprKind::Call(_, args) if asks(program, id) => tree.args(args).to_vec(),
             _ => return None,
         };
@@ -104,14 +104,6 @@ fn conditions(program: &Program, function: FunctionRef) -> Vec<(ExprId, Vec<Expr
     let mut asked: Vec<_> = asked.collect();
     asked.sort_by_key(|(id, _)| program.expr_span(*id).start);
     asked
-}
-
-const fn compares(op: BinaryOp) -> bool {
-    use BinaryOp::*;
-    matches!(
-        op,
-        Less | Greater | LessEqual | GreaterEqual | Equal | NotEqual
-    )
 }
 
 /// Whether a call returns a boolean and has no boolean arguments, unlike `all`.

@@ -22,6 +22,7 @@ const MAX_CASES: usize = 1000;
 const OWN: &str = "shaderlint_";
 
 /// The tests of a file.
+#[derive(Default)]
 pub struct TestSuite {
     /// The shader with a function for each case, if a test has parameters.
     composed: Option<Analysis>,
@@ -105,12 +106,7 @@ impl TestSuite {
     pub fn of(analysis: &Analysis, file: FileId) -> TestSuite {
         let program = &analysis.program;
         let Some(source) = program.sources.file(file) else {
-            return TestSuite {
-                composed: None,
-                tests: Vec::new(),
-                textures: Vec::new(),
-                problems: Vec::new(),
-            };
+            return TestSuite::default();
         };
         let mut drafts = Vec::new();
         let mut above = Vec::new();

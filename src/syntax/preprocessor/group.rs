@@ -17,11 +17,7 @@ impl Preprocessor<'_> {
         let mut group = ConditionGroup {
             start: span,
             skip_all,
-            skip: false,
-            taken: false,
-            else_at: None,
-            is_undecided: false,
-            guard: None,
+            ..ConditionGroup::default()
         };
         if !skip_all {
             group.is_undecided = self.is_undecided(rest);

@@ -157,6 +157,7 @@ mod bad {
     pub const REPORTED: u32 = 4;
 }
 
+#[derive(Default)]
 struct ConditionGroup {
     start: Span,
     /// Whether the whole `#if ... #endif` is inside a skipped group.
