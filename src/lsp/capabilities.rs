@@ -52,8 +52,9 @@ pub const fn plain_type(class: PlainClass) -> u32 {
     }
 }
 
-/// Changes of documents are sent as changes, not as full texts.
-const INCREMENTAL: u32 = 2;
+/// What every client is told; `null` where something is inserted. Changes of documents are sent as
+/// changes (2), not as full texts.
+const CAPABILITIES: &str = include_str!("capabilities.json");
 
 /// Command that shows the documentation of a rule.
 pub const EXPLAIN: &str = "shaderlint.explain";
@@ -107,47 +108,25 @@ fn action_kinds() -> Vec<CodeActionKind> {
 
 /// The capabilities announced to a client.
 pub fn capabilities(client: &Client) -> Value {
-    let mut all = json!({
-        "positionEncoding": client.columns.name(),
-        "textDocumentSync": { "openClose": true, "change": INCREMENTAL, "save": true },
-        "completionProvider": { "triggerCharacters": [".", "#", "\"", "/", "("] },
-        "hoverProvider": true,
-        "signatureHelpProvider": {
-            "triggerCharacters": ["(", ","],
-            "retriggerCharacters": [")"],
-        },
-        "declarationProvider": true,
-        "definitionProvider": true,
-        "typeDefinitionProvider": true,
-        "referencesProvider": true,
-        "documentHighlightProvider": true,
-        "documentSymbolProvider": true,
-        "workspaceSymbolProvider": true,
-        "codeActionProvider": { "codeActionKinds": action_kinds() },
-        "codeLensProvider": {},
-        "colorProvider": true,
-        "documentFormattingProvider": true,
-        "documentRangeFormattingProvider": true,
-        "documentOnTypeFormattingProvider": {
-            "firstTriggerCharacter": "}",
-            "moreTriggerCharacter": [";"],
-        },
-        "renameProvider": { "prepareProvider": true },
-        "foldingRangeProvider": true,
-        "selectionRangeProvider": true,
-        "executeCommandProvider": { "commands": COMMANDS },
-        "callHierarchyProvider": true,
-        "semanticTokensProvider": {
-            "legend": { "tokenTypes": TOKEN_TYPES, "tokenModifiers": TOKEN_MODIFIERS },
-            "range": true,
-            "full": { "delta": true },
-        },
-        "inlayHintProvider": true,
-        "workspace": {
-            "workspaceFolders": { "supported": true, "changeNotifications": true },
-            "fileOperations": { "willRename": { "filters": [{ "pattern": { "glob": "**" } }] } },
-        },
-    });
+    let mut all: Value = serde_json::from_str(CAPABILITIES).unwrap_or_default();
+    let known = [
+        ("/positionEncoding", json!(client.columns.name())),
+        ("/codeActionProvider/codeActionKinds", json!(action_kinds())),
+        ("/executeCommandProvider/commands", json!(COMMANDS)),
+        (
+            "/semanticTokensProvider/legend/tokenTypes",
+            json!(TOKEN_TYPES),
+        ),
+        (
+            "/semanticTokensProvider/legend/tokenModifiers",
+            json!(TOKEN_MODIFIERS),
+        ),
+    ];
+    for (place, value) in known {
+        if let Some(slot) = all.pointer_mut(place) {
+            *slot = value;
+        }
+    }
     if let (true, Some(fields)) = (client.pulls, all.as_object_mut()) {
         let diagnostics = json!({
             "identifier": "shaderlint",
