@@ -129,10 +129,7 @@ impl TestFile<'_> {
             found.read.extend(textures::file_of(mark, path));
             match self.run.textures.load(mark, path) {
                 Ok(texture) => Ok((mark.sampler.clone(), texture)),
-                Err(message) => Err(TestProblem {
-                    at: mark.at,
-                    message,
-                }),
+                Err(message) => Err(TestProblem::new(mark.at, message)),
             }
         });
         loaded.collect()

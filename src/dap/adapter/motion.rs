@@ -114,10 +114,9 @@ impl DebugSession {
         let moment = moment.ok_or("nothing has written it before")?;
         self.moment = moment;
         self.forget_shown();
-        Ok(Reply {
-            body: Value::Null,
-            events: vec![self.stopped("goto", Some("written here"))],
-        })
+        Ok(Reply::events(vec![
+            self.stopped("goto", Some("written here")),
+        ]))
     }
 
     /// The first breakpoint or chosen fault after the current moment.

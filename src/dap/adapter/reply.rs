@@ -35,6 +35,13 @@ impl Reply {
             events: Vec::new(),
         }
     }
+
+    pub fn events(events: Vec<DebugEvent>) -> Reply {
+        Reply {
+            body: Value::Null,
+            events,
+        }
+    }
 }
 
 /// An event with output.

@@ -61,10 +61,7 @@ impl Adapter<'_> {
         if self.client.is_configured {
             events.extend(self.first_stop());
         }
-        Ok(Reply {
-            body: Value::Null,
-            events,
-        })
+        Ok(Reply::events(events))
     }
 
     /// Loads a program, with the breakpoints that the client has set.
@@ -87,10 +84,7 @@ impl Adapter<'_> {
     pub(super) fn configured(&mut self) -> DebugAnswer {
         self.client.is_configured = true;
         let events = self.first_stop();
-        Ok(Reply {
-            body: Value::Null,
-            events,
-        })
+        Ok(Reply::events(events))
     }
 
     /// Stops at the entry, or runs to the first breakpoint.
@@ -153,10 +147,7 @@ impl Adapter<'_> {
         session.go_to_mark(&mark);
         let events = vec![session.stopped("goto", Some("the program was read again"))];
         self.session = Some(session);
-        Ok(Reply {
-            body: Value::Null,
-            events,
-        })
+        Ok(Reply::events(events))
     }
 
     /// Goes to another pixel, time, frame or pass.
@@ -187,10 +178,7 @@ impl Adapter<'_> {
                 event
             }
         };
-        Ok(Reply {
-            body: Value::Null,
-            events: vec![event],
-        })
+        Ok(Reply::events(vec![event]))
     }
 
     pub(super) fn image(&mut self, asked: &DebugArguments) -> DebugAnswer {
@@ -202,9 +190,6 @@ impl Adapter<'_> {
     pub(super) fn end(&mut self, command: &str) -> Reply {
         self.session = None;
         self.is_done = command == "disconnect";
-        Reply {
-            body: Value::Null,
-            events: vec![("terminated", Value::Null)],
-        }
+        Reply::events(vec![("terminated", Value::Null)])
     }
 }

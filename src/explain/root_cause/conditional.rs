@@ -64,12 +64,8 @@ fn misspelled(at: u32, line: &str, word: &str, all: &mut Vec<RepairCandidate>) {
         );
         let message = format!("unknown directive `#{word}`");
         let integral = Span::new(at + hash as u32, span.end);
-        all.push(RepairCandidate {
-            edits: fix.edits.clone(),
-            diagnostic: Diagnostic::error(error::BAD_DIRECTIVE, integral, message).fix(fix),
-            of: None,
-            must_reduce: false,
-        });
+        let found = Diagnostic::error(error::BAD_DIRECTIVE, integral, message);
+        all.push(RepairCandidate::new(found, fix));
     }
 }
 

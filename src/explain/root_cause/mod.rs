@@ -296,13 +296,11 @@ impl FaultyShader<'_> {
     fn fixes_of(&self, is_meant: impl Fn(&&Diagnostic) -> bool) -> Vec<RepairCandidate> {
         let found = self.errors.iter().filter(is_meant);
         let candidate = |d: &Diagnostic| {
-            let fix = d.fix.as_ref()?;
+            let fix = d.fix.clone()?;
             let of = d.macros.first().map(|m| m.definition);
             Some(RepairCandidate {
-                edits: fix.edits.clone(),
-                diagnostic: d.clone(),
                 of,
-                must_reduce: false,
+                ..RepairCandidate::new(d.clone(), fix)
             })
         };
         found.filter_map(candidate).take(MAX_LOOKED_AT).collect()
@@ -318,12 +316,7 @@ impl FaultyShader<'_> {
             let is_other =
                 |o: &&Diagnostic| o.span != d.span && edits().any(|e| e.span.touches(o.span));
             if edits().count() > 1 && looked_at().any(|o| is_other(&o)) {
-                all.push(RepairCandidate {
-                    edits: fix.edits.clone(),
-                    diagnostic: d.clone(),
-                    of: None,
-                    must_reduce: true,
-                });
+                all.push(RepairCandidate::of_error(d, fix.clone()));
             }
         }
         all

@@ -21,6 +21,16 @@ pub struct TestProblem {
     pub message: String,
 }
 
+impl TestProblem {
+    /// A mistake with a message.
+    pub fn new(at: Span, message: impl Into<String>) -> TestProblem {
+        TestProblem {
+            at,
+            message: message.into(),
+        }
+    }
+}
+
 /// The values of a parameter: `// each: x = 0.0, 0.5`.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct EachMark {
@@ -187,10 +197,7 @@ impl Marks {
     }
 
     fn wrong(&mut self, part: Part<'_>, message: &str) {
-        self.problems.push(TestProblem {
-            at: part.span(),
-            message: message.to_string(),
-        });
+        self.problems.push(TestProblem::new(part.span(), message));
     }
 
     fn each(&mut self, part: Part<'_>) {

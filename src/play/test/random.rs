@@ -29,10 +29,7 @@ impl<'a> RandomInputs<'a> {
         let parameters = &invocation.case.any;
         let mut intervals = Vec::new();
         for parameter in parameters {
-            let problem = |message: String| TestProblem {
-                at: parameter.at,
-                message,
-            };
+            let problem = |message: String| TestProblem::new(parameter.at, message);
             let ends = parameter.ends.map(|entry| {
                 let case = TestCase {
                     function: entry,

@@ -180,10 +180,10 @@ fn draft(program: &Program, id: FunctionRef, at: Span, marks: Marks) -> Option<D
             && !is_random(parameter.ty)
         {
             let ty = program.type_name(parameter.ty);
-            problems.push(TestProblem {
-                at: any.name.at,
-                message: format!("`{ty}` has no intervals; list its values with `// each:`"),
-            });
+            problems.push(TestProblem::new(
+                any.name.at,
+                format!("`{ty}` has no intervals; list its values with `// each:`"),
+            ));
         }
         parameters.push(TestParameter {
             name: name.clone(),
@@ -245,10 +245,7 @@ fn check_names(
             seen.push(&name.text);
             continue;
         };
-        problems.push(TestProblem {
-            at: name.at,
-            message,
-        });
+        problems.push(TestProblem::new(name.at, message));
     }
     let unnamed: Vec<&EachMark> = each.iter().filter(|mark| mark.name.is_none()).collect();
     for (number, mark) in unnamed.into_iter().enumerate() {
@@ -260,10 +257,7 @@ fn check_names(
                 "the test has several parameters; name the one that takes these values".to_string()
             }
         };
-        problems.push(TestProblem {
-            at: mark.at,
-            message,
-        });
+        problems.push(TestProblem::new(mark.at, message));
     }
 }
 
@@ -384,10 +378,10 @@ impl Draft {
                     },
                 };
                 let (text, name) = (&value.text, &parameter.name);
-                self.test.problems.push(TestProblem {
-                    at: value.at,
-                    message: format!("invalid value `{text}` of `{name}`: {why}"),
-                });
+                self.test.problems.push(TestProblem::new(
+                    value.at,
+                    format!("invalid value `{text}` of `{name}`: {why}"),
+                ));
             }
         }
     }
@@ -455,12 +449,10 @@ impl Composer<'_> {
         });
         let count = counts.fold(1_usize, usize::saturating_mul);
         if count > MAX_CASES {
-            draft.test.problems.push(TestProblem {
-                at: draft.test.at,
-                message: format!(
-                    "the values have {count} combinations; at most {MAX_CASES} can run"
-                ),
-            });
+            let message =
+                format!("the values have {count} combinations; at most {MAX_CASES} can run");
+            let problem = TestProblem::new(draft.test.at, message);
+            draft.test.problems.push(problem);
             return Some(Vec::new());
         }
         let mut any = Vec::new();

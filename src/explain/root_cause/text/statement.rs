@@ -82,13 +82,10 @@ impl FaultyShader<'_> {
             let fix = d.fix.as_ref().filter(|_| d.span.start >= line.start);
             fix.is_some_and(|f| f.edits.iter().any(|e| e.span.contains(place)))
         };
-        if let Some(d) = self.errors.iter().take(MAX_ERRORS).find(removes) {
-            all.push(RepairCandidate {
-                edits: d.fix.as_ref().map_or(Vec::new(), |f| f.edits.clone()),
-                diagnostic: d.clone(),
-                of: None,
-                must_reduce: true,
-            });
+        if let Some(d) = self.errors.iter().take(MAX_ERRORS).find(removes)
+            && let Some(fix) = &d.fix
+        {
+            all.push(RepairCandidate::of_error(d, fix.clone()));
         }
         let starts = |&at: &usize| line.starts_statement(at);
         let Some(start) = (0..=quote).rev().find(starts) else {
