@@ -94,11 +94,7 @@ fn check_value(cx: &mut Context, variable: VariableId, value: ExprId, assignment
     if is_idle {
         return;
     }
-    let finding = cx.report_expr(
-        assignment,
-        format!("value assigned to `{name}` is never read"),
-    );
-    if let Some(next) = next {
-        finding.label(next, "next write");
-    }
+    let message = format!("value assigned to `{name}` is never read");
+    cx.report_expr(assignment, message)
+        .label(next, "next write");
 }

@@ -74,9 +74,7 @@ fn report(cx: &mut Context, what: &str, empty: StmtId, next: Option<StmtId>) {
     let next = next.map(|n| program.span(Extent::token(tree.stmt(n).extent.first)));
     let fix = next.map(|_| Fix::suggestion("remove the `;`", vec![Edit::delete(span)]));
     let message = format!("this `;` is the entire body of the `{what}`");
-    let mut finding = cx.report_span(span, message);
-    if let Some(next) = next {
-        finding = finding.label(next, format!("not part of the `{what}`"));
-    }
-    finding.fix(fix);
+    cx.report_span(span, message)
+        .label(next, format!("not part of the `{what}`"))
+        .fix(fix);
 }

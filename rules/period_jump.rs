@@ -92,13 +92,13 @@ fn report(cx: &mut Context, call: &PeriodicCall, (used, exact, jump): (AngleUse,
     let text = cx.program.expr_text(length);
     let message = format!("`{text}` is not a period of `{function}`, which jumps there");
     let has_fix = fix.is_some();
-    let mut finding = cx.report_expr(length, message).fix(fix);
-    if let Some(span) = angle {
-        finding = finding.label(span, "used as an angle here");
-    }
-    let finding = finding.note(format!(
-        "each time `mod` starts again, the angle jumps by {jump:.3}; a period is {exact}"
-    ));
+    let finding = cx
+        .report_expr(length, message)
+        .fix(fix)
+        .label(angle, "used as an angle here")
+        .note(format!(
+            "each time `mod` starts again, the angle jumps by {jump:.3}; a period is {exact}"
+        ));
     if !has_fix {
         finding.help(format!("use `{exact}`"));
     }

@@ -22,14 +22,10 @@ fn check(cx: &mut Context, call: &Builtin) {
     let text = program.expr_text(arg).to_string();
     let fix = cx.suggest(call.id, text.as_str());
     let made = made.map(|expr| program.expr_span(expr));
-    let mut finding = cx.report_expr(
-        call.id,
-        format!("redundant `normalize`: `{text}` already has length 1"),
-    );
-    if let Some(made) = made {
-        finding = finding.label(made, "normalized here");
-    }
-    finding.fix(fix);
+    let message = format!("redundant `normalize`: `{text}` already has length 1");
+    cx.report_expr(call.id, message)
+        .label(made, "normalized here")
+        .fix(fix);
 }
 
 /// The call of `normalize` of which a vector is an unchanged copy. The inner `None` means that

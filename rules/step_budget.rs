@@ -123,17 +123,13 @@ fn report(cx: &mut Context, marched: &Marched, entry: FunctionRef) {
     let definition = definition(cx, given);
     let role = march.goal.name();
     let seen = cx.facts.iterations_note(looped.stmt);
-    let mut finding = cx.report_expr(
-        given,
-        format!("{role} runs up to {steps} steps; the limit is {allowed}"),
-    );
-    if let Some(limit) = looped.limit.filter(|l| *l != given) {
-        finding = finding.label(program.expr_span(limit), "loop bound");
-    }
-    finding = match definition {
-        Some((_, name)) if marched.documented.is_none() => finding.label(name, "defined here"),
-        _ => finding,
-    };
+    let limit = looped.limit.filter(|l| *l != given);
+    let definition = definition.filter(|_| marched.documented.is_none());
+    let message = format!("{role} runs up to {steps} steps; the limit is {allowed}");
+    let mut finding = cx
+        .report_expr(given, message)
+        .label(limit.map(|limit| program.expr_span(limit)), "loop bound")
+        .label(definition.map(|(_, name)| name), "defined here");
     finding = match &marched.documented {
         Some(range) => finding.label(range.span, "documented range"),
         None => finding.note(WHY),

@@ -175,9 +175,9 @@ impl Finding<'_> {
         self
     }
 
-    /// Adds a secondary label, if the span is in the user's text.
-    pub fn label(self, span: Span, message: impl Into<String>) -> Self {
-        if self.program.is_user(span) {
+    /// Adds a secondary label, if there is a span and it is in the user's text.
+    pub fn label(self, span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
+        if let Some(span) = span.into().filter(|span| self.program.is_user(*span)) {
             self.diagnostic.labels.push(Label {
                 span,
                 message: message.into(),
