@@ -5,14 +5,7 @@ use shaderlint_semantic::Stage;
 use shaderlint_text::{FileId, Role};
 
 /// The vertex shader of every pass: one triangle that covers the image.
-pub const VERTEX: &str = "#version 300 es\n\
-#ifdef GL_ES\n\
-precision highp float;\n\
-precision highp int;\n\
-precision mediump sampler3D;\n\
-#endif\n\
-layout(location = 0) in vec2 pos;\n\
-void main() {\n    gl_Position = vec4(pos, 0.0, 1.0);\n}\n";
+pub const VERTEX: &str = include_str!("triangle.vert");
 
 /// A pass as the two shaders of a WebGL2 program.
 #[derive(Clone, PartialEq, Eq, Debug)]

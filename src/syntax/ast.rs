@@ -165,6 +165,9 @@ macro_rules! binary_operators {
         pub enum BinaryOp { $($variant),* }
 
         impl BinaryOp {
+            /// All binary operators.
+            pub const ALL: &[BinaryOp] = &[$(BinaryOp::$variant),*];
+
             /// The operator in source form.
             pub const fn symbol(self) -> &'static str {
                 match self { $(BinaryOp::$variant => $symbol,)* }

@@ -203,22 +203,10 @@ const fn word_len(text: &str) -> usize {
 
 /// Reserved by both GLSL ES 1.00 section 3.7 and 3.00 section 3.8; `samplerExternalOES` needs an
 /// extension that WebGL2 does not have.
-const RESERVED_ALWAYS: &str = "
-    asm class union enum typedef template this goto inline noinline volatile public static extern
-    external interface long short double half fixed unsigned superp input output hvec2 hvec3 hvec4
-    dvec2 dvec3 dvec4 fvec2 fvec3 fvec4 sampler3DRect sampler1D sampler1DShadow sampler2DRect
-    sampler2DRectShadow sizeof cast namespace using samplerExternalOES";
+const RESERVED_ALWAYS: &str = include_str!("reserved_always.txt");
 
 /// Reserved by GLSL ES 3.00 section 3.8 only; the four `image..Shadow` words are reserved by WebGL.
-const RESERVED_SINCE_300: &str = "
-    coherent restrict readonly writeonly resource atomic_uint noperspective patch sample subroutine
-    common partition active filter image1D image2D image3D imageCube iimage1D iimage2D iimage3D
-    iimageCube uimage1D uimage2D uimage3D uimageCube image1DArray image2DArray iimage1DArray
-    iimage2DArray uimage1DArray uimage2DArray image1DShadow image2DShadow image1DArrayShadow
-    image2DArrayShadow imageBuffer iimageBuffer uimageBuffer sampler1DArray sampler1DArrayShadow
-    isampler1D isampler1DArray usampler1D usampler1DArray isampler2DRect usampler2DRect
-    samplerBuffer isamplerBuffer usamplerBuffer sampler2DMS isampler2DMS usampler2DMS
-    sampler2DMSArray isampler2DMSArray usampler2DMSArray";
+const RESERVED_SINCE_300: &str = include_str!("reserved_since_300.txt");
 
 /// Role in GLSL ES 1.00 of a word that is special in 3.00.
 #[derive(Clone, Copy)]

@@ -6,22 +6,7 @@ use std::fs::OpenOptions;
 use std::io::{self, Write};
 
 /// The configuration, which changes nothing until it is edited.
-const TEXT: &str = r#"# `shaderlint schema` prints all keys, `shaderlint rules` all rules.
-
-# Rules: "recommended", "strict" (clean code, portability), "performance" or "all".
-preset = "recommended"
-
-# Also report infos; by default they are only counted:
-# info = true
-
-# Files to skip, as in .gitignore:
-# exclude = ["vendor", "*.min.glsl"]
-
-[rules]
-# "off", "info" or "warning", for a rule or a group:
-# step-budget = "warning"
-# float-equality = { level = "warning", fail = true }
-"#;
+const TEXT: &str = include_str!("init.toml");
 
 /// Writes the configuration to the current folder, and returns the exit code. An existing file is kept.
 ///

@@ -6,21 +6,6 @@ use shaderlint_syntax::ast::{BinaryOp, UnaryOp};
 use shaderlint_syntax::{Names, TypeWord, Version};
 use shaderlint_text::each_case;
 
-const SYMBOLS: [(&str, BinaryOp); 12] = [
-    ("*", BinaryOp::Mul),
-    ("/", BinaryOp::Div),
-    ("%", BinaryOp::Rem),
-    ("+", BinaryOp::Add),
-    ("-", BinaryOp::Sub),
-    ("<<", BinaryOp::ShiftLeft),
-    ("<", BinaryOp::Less),
-    ("==", BinaryOp::Equal),
-    ("&", BinaryOp::BitAnd),
-    ("&&", BinaryOp::And),
-    ("^^", BinaryOp::Xor),
-    ("!=", BinaryOp::NotEqual),
-];
-
 /// Two structs: `S { float a; vec3 b; }` and `Arrays { float a[2]; sampler2D t; }`.
 fn structs(names: &mut Names) -> Vec<Struct> {
     let mut record = |fields: &[(&str, &str)]| {
@@ -131,12 +116,7 @@ fn operate(version: Version, input: &str) -> String {
         panic!("{input}");
     };
     let (l, r) = (read(l), read(r));
-    let find = |symbol: &str| {
-        SYMBOLS
-            .iter()
-            .find(|(s, _)| *s == symbol)
-            .map(|(_, op)| *op)
-    };
+    let find = |symbol: &str| BinaryOp::ALL.iter().find(|op| op.symbol() == symbol);
     with_types(version, |types, _| {
         shown(
             match (
@@ -147,8 +127,8 @@ fn operate(version: Version, input: &str) -> String {
                 ("=", ..) => assign(types, l, r).map(|()| l),
                 (",", ..) => sequence(types, l, r),
                 (":", ..) => choice(l, r),
-                (_, Some(op), _) => binary(types, op, l, r),
-                (_, _, Some(op)) => compound(types, op, l, r),
+                (_, Some(op), _) => binary(types, *op, l, r),
+                (_, _, Some(op)) => compound(types, *op, l, r),
                 _ => panic!("{symbol}"),
             },
         )
