@@ -18,6 +18,9 @@ pub const FILTERS: [(&str, &str, bool); 7] = [
     ("exhausted", "A loop runs out of iterations", false),
 ];
 
+/// What the adapter can do, apart from its filters.
+const CAPABILITIES: &str = include_str!("capabilities.json");
+
 impl Adapter<'_> {
     pub(super) fn initialize(&mut self, arguments: &Value) -> DebugAnswer {
         let starts = |name: &str| {
@@ -31,23 +34,12 @@ impl Adapter<'_> {
         let filters = FILTERS.map(|(filter, label, is_default)| {
             json!({ "filter": filter, "label": label, "default": is_default })
         });
+        let mut body: Value = serde_json::from_str(CAPABILITIES).unwrap_or_default();
+        if let Some(fields) = body.as_object_mut() {
+            fields.insert("exceptionBreakpointFilters".to_string(), json!(filters));
+        }
         Ok(Reply {
-            body: json!({
-                "supportsConfigurationDoneRequest": true,
-                "supportsConditionalBreakpoints": true,
-                "supportsHitConditionalBreakpoints": true,
-                "supportsLogPoints": true,
-                "supportsEvaluateForHovers": true,
-                "supportsStepBack": true,
-                "supportsRestartRequest": true,
-                "supportsDataBreakpoints": true,
-                "supportsExceptionInfoRequest": true,
-                "supportsLoadedSourcesRequest": true,
-                "supportsBreakpointLocationsRequest": true,
-                "supportsTerminateRequest": true,
-                "supportsClipboardContext": true,
-                "exceptionBreakpointFilters": filters,
-            }),
+            body,
             events: vec![("initialized", Value::Null)],
         })
     }

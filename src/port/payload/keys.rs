@@ -78,35 +78,18 @@ fn named(codes: &[u32]) -> Option<Vec<String>> {
     (names.len() <= MAX_NAMES).then_some(names)
 }
 
+/// The names of key codes that no range below covers: code, name.
+const FIXED: &str = include_str!("keys.txt");
+
 /// The name of a `keyCode` (UI Events, section "Fixed virtual key codes", and the codes of letters,
 /// digits, function keys and the numeric pad, on which browsers agree).
 fn name(code: u32) -> Option<String> {
-    let fixed = match code {
-        8 => "backspace",
-        9 => "tab",
-        13 => "enter",
-        16 => "shift",
-        17 => "ctrl",
-        18 => "alt",
-        20 => "caps lock",
-        27 => "escape",
-        32 => "space",
-        33 => "page up",
-        34 => "page down",
-        35 => "end",
-        36 => "home",
-        37 => "←",
-        38 => "↑",
-        39 => "→",
-        40 => "↓",
-        45 => "insert",
-        46 => "delete",
-        107 => "numpad +",
-        109 => "numpad −",
-        _ => "",
-    };
+    let number = code.to_string();
+    let mut fixed = FIXED.lines().filter_map(|line| line.split_once(' '));
+    if let Some((_, name)) = fixed.find(|(known, _)| *known == number) {
+        return Some(name.to_string());
+    }
     match code {
-        _ if !fixed.is_empty() => Some(fixed.to_string()),
         48..=57 | 65..=90 => char::from_u32(code).map(String::from),
         96..=105 => Some(format!("numpad {}", code - 96)),
         112..=123 => Some(format!("F{}", code - 111)),
