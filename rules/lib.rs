@@ -38,6 +38,7 @@ macro_rules! rules {
 
 mod aspect_ellipse;
 mod assignment_in_condition;
+mod attribute_data;
 mod backend_keyword;
 mod black_silhouette;
 mod camera_inside;
@@ -120,11 +121,14 @@ mod period_jump;
 mod pow_in_loop;
 mod pow_negative_base;
 mod precision_missing_for_sampler;
+mod program_state;
 mod redundant_constructor;
 mod redundant_normalize;
+mod render_target;
 mod repeated_call;
 mod rounded_away;
 mod same_operands;
+mod screen_size;
 mod self_assignment;
 mod shadow_steps;
 mod shadowed_name;
@@ -153,12 +157,16 @@ mod tunable_range;
 mod unbounded_loop;
 mod undefined_constant;
 mod undefined_seen;
+mod uniform_access;
+mod uniform_type;
 mod uniform_without_effect;
 mod uninitialized_read;
 mod uninitialized_seen;
 mod unknown_uniform;
+mod unmatched_patch;
 mod unreachable_case;
 mod unreachable_height;
+mod unset_uniform;
 mod unsigned_underflow;
 mod unused_allow;
 mod unused_function;
@@ -189,29 +197,147 @@ pub fn page(name: &str) -> Option<&'static str> {
 }
 
 rules! {
-    aspect_ellipse assignment_in_condition backend_keyword black_silhouette camera_inside
-    clamp_bounds comment_continues component_by_index constant_condition contradiction
-    copied_component could_be_const dangling_else dark_frame dead_code dead_store define_with_call
-    degrees_in_trig derivative_in_divergent_flow derivative_of_jump derivative_of_uniform
-    division_by_zero_seen double_gamma double_underscore duplicate_branch empty_body endless_rays
-    exp_overflow extension_not_enabled flat_frame float_counter_drift float_equality
-    gpu_dependent_picture gradient_in_loop gray_picture half_texel identity_operation index_range
-    infinite_pixels inout_alias integer_division inverse_trig_range isnan_optimised known_comparison
-    legacy_extension length_compare log_nonpositive loop_invariant_call loop_invariant_math
-    loop_never_runs luma_weights macro_parentheses macro_statements mainimage_qualifiers
-    manual_builtin map_inlining mediump_noise misleading_indentation misplaced_sign missed_surface
-    missing_return_path mistyped_constant mouse_sign nan_compare nan_pixels needless_bool
-    negative_remainder negative_to_uint nested_iterations no_early_exit no_effect normal_length
-    normalize_zero octal_literal octave_budget old_version out_of_range_seen output_not_written
-    overwritten_parameter period_jump pow_in_loop pow_negative_base precision_missing_for_sampler
-    redundant_constructor redundant_normalize repeated_call rounded_away same_operands
-    self_assignment shadow_steps shadowed_name shadows_builtin shared_counter shift_precedence
-    shift_range short_steps sin_hash single_turn_loop six_sample_normal smoothstep_edges
-    sqrt_negative static_picture step_budget steps_exhausted swapped_arguments switch_fallthrough
-    switch_return texel_out_of_range texture_seam texture_units time_precision truncated_cell
-    tunable_range unbounded_loop undefined_constant undefined_seen uniform_without_effect
-    uninitialized_read uninitialized_seen unknown_uniform unreachable_case unreachable_height
-    unsigned_underflow unused_allow unused_function unused_macro unused_parameter unused_uniform
-    unused_variable useless_clamp vec2_resolution vector_times_matrix washed_out webgl1_context
+    aspect_ellipse
+    assignment_in_condition
+    attribute_data
+    backend_keyword
+    black_silhouette
+    camera_inside
+    clamp_bounds
+    comment_continues
+    component_by_index
+    constant_condition
+    contradiction
+    copied_component
+    could_be_const
+    dangling_else
+    dark_frame
+    dead_code
+    dead_store
+    define_with_call
+    degrees_in_trig
+    derivative_in_divergent_flow
+    derivative_of_jump
+    derivative_of_uniform
+    division_by_zero_seen
+    double_gamma
+    double_underscore
+    duplicate_branch
+    empty_body
+    endless_rays
+    exp_overflow
+    extension_not_enabled
+    flat_frame
+    float_counter_drift
+    float_equality
+    gpu_dependent_picture
+    gradient_in_loop
+    gray_picture
+    half_texel
+    identity_operation
+    index_range
+    infinite_pixels
+    inout_alias
+    integer_division
+    inverse_trig_range
+    isnan_optimised
+    known_comparison
+    legacy_extension
+    length_compare
+    log_nonpositive
+    loop_invariant_call
+    loop_invariant_math
+    loop_never_runs
+    luma_weights
+    macro_parentheses
+    macro_statements
+    mainimage_qualifiers
+    manual_builtin
+    map_inlining
+    mediump_noise
+    misleading_indentation
+    misplaced_sign
+    missed_surface
+    missing_return_path
+    mistyped_constant
+    mouse_sign
+    nan_compare
+    nan_pixels
+    needless_bool
+    negative_remainder
+    negative_to_uint
+    nested_iterations
+    no_early_exit
+    no_effect
+    normal_length
+    normalize_zero
+    octal_literal
+    octave_budget
+    old_version
+    out_of_range_seen
+    output_not_written
+    overwritten_parameter
+    period_jump
+    pow_in_loop
+    pow_negative_base
+    precision_missing_for_sampler
+    program_state
+    redundant_constructor
+    redundant_normalize
+    render_target
+    repeated_call
+    rounded_away
+    same_operands
+    screen_size
+    self_assignment
+    shadow_steps
+    shadowed_name
+    shadows_builtin
+    shared_counter
+    shift_precedence
+    shift_range
+    short_steps
+    sin_hash
+    single_turn_loop
+    six_sample_normal
+    smoothstep_edges
+    sqrt_negative
+    static_picture
+    step_budget
+    steps_exhausted
+    swapped_arguments
+    switch_fallthrough
+    switch_return
+    texel_out_of_range
+    texture_seam
+    texture_units
+    time_precision
+    truncated_cell
+    tunable_range
+    unbounded_loop
+    undefined_constant
+    undefined_seen
+    uniform_access
+    uniform_type
+    uniform_without_effect
+    uninitialized_read
+    uninitialized_seen
+    unknown_uniform
+    unmatched_patch
+    unreachable_case
+    unreachable_height
+    unset_uniform
+    unsigned_underflow
+    unused_allow
+    unused_function
+    unused_macro
+    unused_parameter
+    unused_uniform
+    unused_variable
+    useless_clamp
+    vec2_resolution
+    vector_times_matrix
+    washed_out
+    webgl1_context
     zero_division
 }

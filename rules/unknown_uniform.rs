@@ -1,4 +1,4 @@
-//! `getUniformLocation(program, "name")` for a uniform that no shader of the file declares.
+//! A uniform that a script sets or looks up, but no shader of its program declares.
 
-// Reports names that the linking code of the engine did not find in the shaders.
+// Reported by the engine, which evaluates the program around the shaders.
 rule! { unknown_uniform, Webgl2, Warning, Recommended, Page }

@@ -1,6 +1,7 @@
 //! All integration tests, in one executable: it is linked once, and its tests share the machine.
 
 mod cli;
+mod contract;
 mod corpus;
 mod debugging;
 mod definitions;

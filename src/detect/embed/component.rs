@@ -4,6 +4,7 @@
 use super::embedded::{Embedded, ImportedTexts};
 use super::html::{self, next_script};
 use super::script;
+use std::ops::Range;
 
 /// Finds the shaders of a component.
 pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut Vec<Embedded>) {
@@ -25,6 +26,13 @@ pub fn extract(text: &str, base: usize, modules: &dyn ImportedTexts, found: &mut
     if let Some(own) = found.get_mut(count..) {
         own.sort_by_key(|e| e.start);
     }
+}
+
+/// The code of the front matter of an Astro component.
+pub(super) fn front_matter_code(text: &str) -> Option<Range<usize>> {
+    let end = front_matter(text);
+    let start = text.find("---")? + 3;
+    (start + 4 <= end).then(|| start..end - 4)
 }
 
 /// Length of the front matter of an Astro component, between two lines of `---`.

@@ -60,6 +60,21 @@ pub fn scripts(text: &str) -> Vec<Range<usize>> {
     found
 }
 
+/// The contents of the script element with this `id`.
+pub fn element_of(text: &str, id: &str) -> Option<Range<usize>> {
+    let lower = text.to_ascii_lowercase();
+    let mut at = 0;
+    while let Some(element) = next_script(&lower, at) {
+        at = element.end;
+        let head = text.get(..element.start)?;
+        let head = head.get(head.rfind('<')?..)?;
+        if attribute(head, "id") == Some(id) {
+            return Some(element.start..element.end);
+        }
+    }
+    None
+}
+
 /// The `id` of the element that contains a shader.
 pub fn id_of<'a>(text: &'a str, shader: &Embedded) -> Option<&'a str> {
     if shader.wrapping != Wrapping::Element {

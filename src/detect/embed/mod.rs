@@ -32,11 +32,34 @@ pub use embedded::{
 };
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
+pub use html::element_of;
 pub use mention::{Mention, MentionKind, NameRole, mentions};
 pub use receiver::ShaderReceiver;
 pub use script::ParsedScript;
-pub use together::{Asked, asked, lists, strings, together};
+pub use together::{lists, strings, together};
 pub use webgl::AskedWebGl;
+
+/// The scripts of a file, with blanks for everything else, so that offsets are the same; `None` if it is no file
+/// with scripts.
+pub fn script_code(language: DocumentLanguage, text: &str) -> Option<String> {
+    let mut ranges = match language {
+        DocumentLanguage::Script => return Some(text.to_string()),
+        DocumentLanguage::Component | DocumentLanguage::Html => html::scripts(text),
+        _ => return None,
+    };
+    if language == DocumentLanguage::Component {
+        ranges.extend(component::front_matter_code(text));
+    }
+    let mut code: String = text
+        .chars()
+        .flat_map(|c| std::iter::repeat_n(if c == '\n' { '\n' } else { ' ' }, c.len_utf8()))
+        .collect();
+    for range in ranges {
+        let content = text.get(range.clone())?;
+        code.replace_range(range, content);
+    }
+    Some(code)
+}
 
 /// Finds the shaders in a file, in source order.
 pub fn extract(language: DocumentLanguage, text: &str) -> Vec<Embedded> {

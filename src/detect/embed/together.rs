@@ -154,67 +154,6 @@ impl<'a> ShaderNames<'a> {
     }
 }
 
-/// A uniform that a script refers to.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Asked {
-    /// Name without index and members.
-    pub name: String,
-    /// Range of the name in the file.
-    pub range: Range<usize>,
-}
-
-/// The uniforms that the scripts of a file refer to: `getUniformLocation(program, "name")`, and
-/// keys of `uniforms: { ... }`.
-pub fn asked(language: DocumentLanguage, text: &str) -> Vec<Asked> {
-    let mut found = Vec::new();
-    for script in scripts(language, text) {
-        let content = text.get(script.clone()).unwrap_or("");
-        let tree = parse(content);
-        for node in &tree.nodes {
-            for name in names_of(content, &tree, node) {
-                let text = content.get(name.clone()).unwrap_or("");
-                let end = text.find(['[', '.']).unwrap_or(text.len());
-                let word = text.get(..end).unwrap_or("");
-                let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-                if !word.is_empty() && word.chars().all(is_plain) {
-                    let start = script.start + name.start;
-                    found.push(Asked {
-                        name: word.to_string(),
-                        range: start..start + end,
-                    });
-                }
-            }
-        }
-    }
-    found
-}
-
-/// The ranges of the names of uniforms that an expression itself refers to.
-fn names_of(text: &str, tree: &ScriptTree, node: &ScriptNode) -> Vec<Range<usize>> {
-    let child = |index: usize| tree.node(*node.children.get(index)?);
-    match &node.kind {
-        NodeKind::Call => {
-            let callee = node
-                .children
-                .first()
-                .and_then(|id| tree.last_name(text, *id));
-            let is_query = callee == Some("getUniformLocation") && node.children.len() == 3;
-            let name = child(2).filter(|name| is_query && name.is_constant());
-            name.map(|name| name.span.clone()).into_iter().collect()
-        }
-        NodeKind::Property(key) if text.get(key.clone()) == Some("uniforms") => {
-            let object = child(0).filter(|value| value.kind == NodeKind::Object);
-            let all = object.iter().flat_map(|object| &object.children);
-            let keys = all.filter_map(|id| match &tree.node(*id)?.kind {
-                NodeKind::Property(key) => Some(key.clone()),
-                _ => None,
-            });
-            keys.collect()
-        }
-        _ => Vec::new(),
-    }
-}
-
 /// The lists of texts in the scripts of a file. A text is given by the path that it is imported or loaded from, or
 /// by the string that it is; `None` if neither is known.
 pub fn lists(language: DocumentLanguage, text: &str) -> Vec<Vec<Option<String>>> {

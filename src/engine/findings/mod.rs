@@ -2,6 +2,7 @@
 
 pub mod chunks;
 mod comments;
+mod contract;
 mod group;
 mod inactive;
 pub mod partner;
@@ -58,6 +59,8 @@ pub const STAGES: &[FindingStage] = &[
     File(unknown::list_unresolved),
     // Only shaders without errors are linked.
     File(partner::link_all),
+    // What scripts set, against what all their shaders declare.
+    File(contract::report),
     // Comments are unused after all stages that comments may suppress.
     File(comments::report_unused),
     // What was found when the file was read.

@@ -9,24 +9,20 @@ use crate::shader::reading::{PresumedCompleteness, Reading};
 use crate::shader::shader_input::ShaderInput;
 use crate::text::shader_file::shader_part;
 use crate::text::stage_name::counterpart;
-use shaderlint_detect::embed::{Asked, DocumentLanguage, Embedded, asked, together};
+use shaderlint_detect::embed::{DocumentLanguage, Embedded, together};
 use shaderlint_detect::kind::FileKind;
-use shaderlint_diagnostic::{Diagnostic, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Severity, error};
 use shaderlint_explain::link::link;
 use shaderlint_explain::{Checked, analyze};
 use shaderlint_lint::Settings;
-use shaderlint_rules::rule;
-use shaderlint_semantic::{Completeness, Function, Program, Stage, Storage, Unit};
-use shaderlint_text::{Role, Sources, Span};
-use std::collections::BTreeSet;
+use shaderlint_semantic::{Completeness, Function, Program, Stage, Unit};
+use shaderlint_text::{Role, Sources};
 use std::path::Path;
 use std::sync::Arc;
 
 /// How often the text of a page is linked on average at most: shaders may belong to several
 /// programs.
 const MAX_SHARED: usize = 16;
-/// Maximum number of unknown uniforms that are reported for a page.
-const MAX_LACKING: usize = 100;
 
 /// The name and text of the file with the other stage.
 fn find(name: &str, context: CheckContext) -> Option<(String, Arc<str>)> {
@@ -88,7 +84,7 @@ pub fn link_all(file: &mut FileCheck) {
     if let (Some(other), [own]) = (&file.partner, file.parts.as_slice()) {
         let is_linked = is_linked_there(file.name, file.context);
         if !is_linked && !diagnostics.iter().any(keeps_from_linking) {
-            link_stages(sources, own, other, |_, _| {}, diagnostics);
+            link_stages(sources, own, other, diagnostics);
         }
         keep_pair(sources, own, other, settings, diagnostics);
         return;
@@ -96,7 +92,7 @@ pub fn link_all(file: &mut FileCheck) {
     if let ([one, other], true) = (file.parts.as_slice(), report.embedded.is_empty()) {
         let stage = |part: &ShaderInput| part.reading().map(|r| r.stage);
         if stage(one) != stage(other) {
-            link_stages(sources, one, other, |_, _| {}, diagnostics);
+            link_stages(sources, one, other, diagnostics);
             keep_pair(sources, one, other, settings, diagnostics);
         }
         return;
@@ -141,16 +137,8 @@ pub fn link_all(file: &mut FileCheck) {
         let (Some(vertex), Some(fragment)) = (of(vertex), of(fragment)) else {
             continue;
         };
-        let mut missing = Vec::new();
-        let more = |vertex: &Program, fragment: &Program| {
-            if only.is_some() {
-                missing = lacking(vertex, fragment, asked(language, &document.text));
-            }
-        };
-        link_stages(sources, vertex, fragment, more, diagnostics);
+        link_stages(sources, vertex, fragment, diagnostics);
         keep_pair(sources, vertex, fragment, settings, diagnostics);
-        let missing = missing.into_iter();
-        diagnostics.extend(missing.filter_map(|m| report_lacking(m, document.base, settings)));
     }
 }
 
@@ -184,12 +172,11 @@ fn pair(
     Some((vertex?, fragment?))
 }
 
-/// Links a vertex and a fragment shader. `more` is called if both are complete and without errors.
+/// Links a vertex and a fragment shader.
 fn link_stages(
     sources: &Arc<Sources>,
     one: &ShaderInput,
     other: &ShaderInput,
-    more: impl FnOnce(&Program, &Program),
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     let (vertex, fragment) = match one.reading().map(|r| r.stage) {
@@ -211,9 +198,6 @@ fn link_stages(
                 let is_known = !of_vertex.lacks_names && !of_fragment.lacks_names;
                 // A name that is not declared may assign a varying.
                 diagnostics.extend(found.into_iter().filter(|d| is_known || is_error(d)));
-                if is_known {
-                    more(&of_vertex.program, &of_fragment.program);
-                }
                 return;
             }
         }
@@ -311,62 +295,5 @@ fn programs_of<'p>(
         let is_main = |f: &Function| f.definition.is_some() && program.names.text(f.name) == "main";
         let has_main = program.functions.iter().any(is_main);
         has_main.then_some((stage, reading))
-    })
-}
-
-/// A uniform that a page sets and its shaders do not declare.
-struct Lacking {
-    asked: Asked,
-    near: Option<String>,
-}
-
-fn lacking(vertex: &Program, fragment: &Program, asked: Vec<Asked>) -> Vec<Lacking> {
-    let mut uniforms: BTreeSet<&str> = BTreeSet::new();
-    for program in [vertex, fragment] {
-        // Inactive code may declare more.
-        let is_user = |span: &Span| program.sources.is_user(span.start);
-        if program.tokens.inactive.iter().any(is_user) {
-            return Vec::new();
-        }
-        let all = program.variables.iter();
-        let declared = all.filter(|v| v.storage == Storage::Uniform);
-        uniforms.extend(declared.map(|v| program.names.text(v.name)));
-        let records = program.structs.iter().filter_map(|s| s.name);
-        uniforms.extend(records.map(|n| program.names.text(n)));
-    }
-    let is_lacking = |a: &Asked| !uniforms.contains(a.name.as_str());
-    let near = |name: &str| {
-        let limit = if name.len() < 6 { 1 } else { 2 };
-        let distances = uniforms.iter().map(|u| {
-            let (a, b) = (u.to_ascii_lowercase(), name.to_ascii_lowercase());
-            (strsim::damerau_levenshtein(&a, &b), *u)
-        });
-        let near = distances.filter(|(d, _)| *d <= limit).min();
-        near.map(|(_, u)| u.to_string())
-    };
-    let lacking = asked.into_iter().filter(is_lacking).take(MAX_LACKING);
-    lacking
-        .map(|asked| Lacking {
-            near: near(&asked.name),
-            asked,
-        })
-        .collect()
-}
-
-fn report_lacking(lacking: Lacking, base: u32, settings: &Settings) -> Option<Diagnostic> {
-    let rule = rule("unknown-uniform")?;
-    let severity = settings.level(rule)?;
-    let Lacking { asked, near } = lacking;
-    let (start, end) = (asked.range.start as u32, asked.range.end as u32);
-    let span = Span::new(base + start, base + end);
-    let message = format!(
-        "no shader in this file declares the uniform `{}`",
-        asked.name
-    );
-    let d = Diagnostic::new(rule.name, Origin::Rule, severity, span, message)
-        .note("the program has no location for it, so setting it has no effect");
-    Some(match near {
-        Some(near) => d.help(format!("did you mean `{near}`?")),
-        None => d,
     })
 }

@@ -85,9 +85,18 @@ fn running(program: &Program) -> Vec<Extent> {
 fn dropped(program: &Program, named: &[(bool, bool)]) -> Vec<Extent> {
     let tree = &program.tree;
     let mut dropped = Vec::new();
+    // The value of a condition is used.
+    let conditions = tree.stmts.iter().filter_map(|stmt| match stmt.kind {
+        StmtKind::For { condition, .. } => condition,
+        StmtKind::While { condition, .. } => Some(condition),
+        _ => None,
+    });
+    let conditions: Vec<Extent> = conditions.map(|id| tree.stmt(id).extent).collect();
     for stmt in &tree.stmts {
         match stmt.kind {
-            StmtKind::Expr(e) if !acts(program, e) => dropped.push(stmt.extent),
+            StmtKind::Expr(e) if !acts(program, e) && !conditions.contains(&stmt.extent) => {
+                dropped.push(stmt.extent);
+            }
             StmtKind::If {
                 condition,
                 then,

@@ -1,0 +1,56 @@
+//! The contract between scripts and shaders: what a program sets, and what its shaders declare.
+//!
+//! The program around the shaders is evaluated (`shaderlint_script`); then the calls of WebGL and of libraries
+//! are compared with the interfaces of the shaders that they get. Nothing is reported that depends on a value
+//! that is not known.
+#![cfg_attr(test, allow(clippy::string_slice))]
+
+mod breach;
+mod feeds;
+mod fit;
+mod interface;
+mod library;
+mod link;
+mod materials;
+mod patches;
+mod shape;
+mod targets;
+mod webgl;
+
+pub use breach::Breach;
+use shaderlint_script::{Loader, World, evaluate};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What was found in a program.
+pub struct Contract {
+    /// The files of the program, the root first.
+    pub files: Vec<(PathBuf, Arc<str>)>,
+    /// Where its scripts and shaders disagree, in no order.
+    pub breaches: Vec<Breach>,
+}
+
+/// Checks the program that starts with a script. `release` is the one of three.js that it uses, if that is known.
+pub fn check(
+    (path, text): (&Path, &str),
+    release: Option<u32>,
+    loader: &dyn Loader,
+) -> Option<Contract> {
+    evaluate((path, text), loader, |world| read(world, release))
+}
+
+fn read(world: &World, release: Option<u32>) -> Contract {
+    let mut breaches = Vec::new();
+    if !world.is_cut {
+        materials::check(world, &mut breaches);
+        webgl::check(world, &mut breaches);
+        patches::check(world, release, &mut breaches);
+        targets::check(world, &mut breaches);
+    }
+    breaches.sort_by(|a, b| (a.place, a.rule, &a.message).cmp(&(b.place, b.rule, &b.message)));
+    breaches.dedup_by(|a, b| a.place == b.place && a.rule == b.rule);
+    Contract {
+        files: world.files.clone(),
+        breaches,
+    }
+}

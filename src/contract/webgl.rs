@@ -1,0 +1,354 @@
+//! Programs that scripts make with WebGL itself: the calls are replayed in their order.
+
+mod attributes;
+mod setters;
+mod uniforms;
+
+pub use uniforms::{css_size, is_css_size};
+
+use crate::breach::Breach;
+use crate::interface::{ShaderInterface, Stages};
+use crate::link;
+use shaderlint_script::{
+    Call, Certainty, Event, EventKind, ObjectId, ObjectKind, Place, ScriptText, Source, Value,
+    World,
+};
+use shaderlint_semantic::Stage;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// A program.
+#[derive(Default)]
+struct GlProgram {
+    /// The shaders that are attached.
+    shaders: Vec<ObjectId>,
+    stages: Stages,
+    /// Whether a shader is not known.
+    is_open: bool,
+    place: Place,
+    /// Whether it is put in use.
+    is_used: bool,
+    /// Whether something is drawn with it.
+    is_drawn: bool,
+    /// The names of attributes by location.
+    bound: Vec<(Option<f64>, Option<String>, Place)>,
+    /// What transform feedback captures.
+    captured: Vec<(String, Place)>,
+}
+
+/// A location that a script looks up.
+struct Location {
+    program: ObjectId,
+    /// The name; `None` if it is not known.
+    name: Option<String>,
+    is_attribute: bool,
+    place: Place,
+    /// Whether the name comes from a list, which may be for several programs.
+    is_listed: bool,
+}
+
+/// Places at which something is wrong each time that they are evaluated.
+#[derive(Default)]
+struct Verdicts(HashMap<Place, Option<Breach>>);
+
+impl Verdicts {
+    /// Something is wrong at a place.
+    fn bad(&mut self, breach: Breach) {
+        self.0.entry(breach.place).or_insert(Some(breach));
+    }
+
+    /// Nothing is wrong at a place, at least once.
+    fn good(&mut self, place: Place) {
+        self.0.insert(place, None);
+    }
+}
+
+/// The state of WebGL while the calls are replayed.
+struct Replay<'w> {
+    world: &'w World<'w>,
+    sources: HashMap<ObjectId, Option<Rc<ScriptText>>>,
+    stages: HashMap<ObjectId, Option<Stage>>,
+    programs: HashMap<ObjectId, GlProgram>,
+    locations: HashMap<ObjectId, Location>,
+    /// Objects whose members are locations by the name of the member.
+    tables: HashMap<ObjectId, ObjectId>,
+    /// The program in use; `Err` if it is not known.
+    current: Result<Option<ObjectId>, ()>,
+    turn: usize,
+    verdicts: Verdicts,
+}
+
+/// Adds what is wrong with the programs that scripts make with WebGL.
+pub fn check(world: &World, found: &mut Vec<Breach>) {
+    let mut replay = Replay {
+        world,
+        sources: HashMap::new(),
+        stages: HashMap::new(),
+        programs: HashMap::new(),
+        locations: HashMap::new(),
+        tables: HashMap::new(),
+        current: Ok(None),
+        turn: 0,
+        verdicts: Verdicts::default(),
+    };
+    for event in &world.events {
+        if let EventKind::Call(call) = &event.kind {
+            replay.prepare(call, event);
+        }
+    }
+    if replay.programs.is_empty() {
+        return;
+    }
+    replay.read_shaders();
+    for program in replay.programs.values() {
+        link::check(&program.stages, program.place, found);
+    }
+    for event in &world.events {
+        replay.follow(event);
+    }
+    replay.check_unset(found);
+    attributes::check(&replay, found);
+    found.extend(replay.verdicts.0.into_values().flatten());
+}
+
+/// An argument of a call.
+fn argument(call: &Call, index: usize) -> Option<&Value> {
+    call.arguments.get(index).map(|(value, _)| value)
+}
+
+/// The place of an argument of a call.
+fn place_of(call: &Call, index: usize) -> Option<Place> {
+    call.arguments.get(index).map(|(_, place)| *place)
+}
+
+/// The place of the contents of a quoted text.
+fn inside(place: Place) -> Place {
+    Place {
+        start: place.start + 1,
+        end: place.end.saturating_sub(1),
+        ..place
+    }
+}
+
+/// The name of a constant of WebGL.
+fn constant<'w>(world: &'w World, value: Option<&Value>) -> Option<&'w str> {
+    match &world.object(value?.object()?)?.kind {
+        ObjectKind::Foreign(Source::Member(_, name)) => Some(name),
+        _ => None,
+    }
+}
+
+/// The stage that a type of shader names.
+fn stage_of(world: &World, value: Option<&Value>) -> Option<Stage> {
+    match (constant(world, value), value?.number()) {
+        (Some("VERTEX_SHADER"), _) | (_, Some(35633.0)) => Some(Stage::Vertex),
+        (Some("FRAGMENT_SHADER"), _) | (_, Some(35632.0)) => Some(Stage::Fragment),
+        _ => None,
+    }
+}
+
+impl<'w> Replay<'w> {
+    /// Reads the calls that make programs and look up locations.
+    fn prepare(&mut self, call: &Call, event: &Event) {
+        let first = argument(call, 0).and_then(Value::object);
+        let second = argument(call, 1);
+        match (&*call.name, first) {
+            ("createProgram", None) if call.arguments.is_empty() => {
+                let program = GlProgram {
+                    place: event.place,
+                    ..GlProgram::default()
+                };
+                self.programs.insert(call.result, program);
+            }
+            ("createShader", _) => {
+                let stage = stage_of(self.world, argument(call, 0));
+                self.stages.insert(call.result, stage);
+            }
+            ("shaderSource", Some(shader)) => {
+                let text = match second {
+                    Some(Value::Text(text)) => Some(text.clone()),
+                    _ => None,
+                };
+                self.sources.insert(shader, text);
+            }
+            ("attachShader", Some(program)) => {
+                if let Some(program) = self.programs.get_mut(&program) {
+                    match second.and_then(Value::object) {
+                        Some(shader) => program.shaders.push(shader),
+                        None => program.is_open = true,
+                    }
+                }
+            }
+            ("getUniformLocation" | "getAttribLocation", Some(program)) => {
+                let name = second.and_then(Value::text).map(str::to_string);
+                let written = match second {
+                    Some(Value::Text(text)) => text.place(0..text.content.len()),
+                    _ => None,
+                };
+                let location = Location {
+                    program,
+                    name,
+                    is_attribute: &*call.name == "getAttribLocation",
+                    place: written.or(place_of(call, 1)).unwrap_or(event.place),
+                    is_listed: written.is_some() && written != place_of(call, 1).map(inside),
+                };
+                self.locations.insert(call.result, location);
+            }
+            ("useProgram", Some(program)) => {
+                if let Some(program) = self.programs.get_mut(&program) {
+                    program.is_used = true;
+                }
+            }
+            ("bindAttribLocation", Some(program)) => {
+                if let Some(program) = self.programs.get_mut(&program) {
+                    let name = argument(call, 2).and_then(Value::text).map(str::to_string);
+                    let index = second.and_then(Value::number);
+                    let place = place_of(call, 2).unwrap_or(event.place);
+                    program.bound.push((index, name, place));
+                }
+            }
+            ("transformFeedbackVaryings", Some(program)) => {
+                let names = second
+                    .and_then(|value| self.world.elements(value))
+                    .unwrap_or(&[]);
+                let place = place_of(call, 1).unwrap_or(event.place);
+                if let Some(program) = self.programs.get_mut(&program) {
+                    program.captured = names
+                        .iter()
+                        .filter_map(|name| match name {
+                            Value::Text(text) => {
+                                let place = text.first_place().unwrap_or(place);
+                                Some((text.content.clone(), place))
+                            }
+                            _ => None,
+                        })
+                        .collect();
+                }
+            }
+            // A program that something else gets may be changed there.
+            _ => self.hand_on(call),
+        }
+    }
+
+    /// Notes that programs are handed to functions that are not known.
+    fn hand_on(&mut self, call: &Call) {
+        const KNOWN: &[&str] = &[
+            "linkProgram",
+            "getProgramParameter",
+            "getProgramInfoLog",
+            "deleteProgram",
+            "validateProgram",
+            "getActiveUniform",
+            "getActiveAttrib",
+            "getUniformBlockIndex",
+            "uniformBlockBinding",
+            "detachShader",
+            "log",
+            "error",
+            "warn",
+            "isProgram",
+            "getAttachedShaders",
+            "getUniformIndices",
+            "getActiveUniforms",
+            "getFragDataLocation",
+            "getUniform",
+            "push",
+            "set",
+            "useProgram",
+        ];
+        if KNOWN.contains(&&*call.name) {
+            return;
+        }
+        for (value, _) in &call.arguments {
+            if let Some(program) = value.object().and_then(|id| self.programs.get_mut(&id)) {
+                program.is_open = true;
+            }
+        }
+    }
+
+    /// Reads the shaders of the programs.
+    fn read_shaders(&mut self) {
+        let mut known: HashMap<(ObjectId, bool), Rc<ShaderInterface>> = HashMap::new();
+        for program in self.programs.values_mut() {
+            for shader in &program.shaders {
+                let text = self.sources.get(shader).cloned().flatten();
+                let stage = self.stages.get(shader).copied().flatten();
+                let (Some(text), Some(stage)) = (text, stage) else {
+                    program.is_open = true;
+                    continue;
+                };
+                let is_vertex = stage == Stage::Vertex;
+                let interface = known
+                    .entry((*shader, is_vertex))
+                    .or_insert_with(|| Rc::new(ShaderInterface::of(&text, stage, (&[], ""))));
+                let slot = match stage {
+                    Stage::Vertex => &mut program.stages.vertex,
+                    Stage::Fragment => &mut program.stages.fragment,
+                };
+                program.is_open |= slot.replace(interface.clone()).is_some();
+            }
+            program.is_open |= !program.stages.are_complete();
+        }
+    }
+
+    /// The location that a value is.
+    fn location(&self, value: Option<&Value>) -> Option<(&Location, i32)> {
+        let id = value?.object()?;
+        if let Some(location) = self.locations.get(&id) {
+            return Some((location, 0));
+        }
+        match &self.world.object(id)?.kind {
+            ObjectKind::Foreign(Source::Sum(of, number)) => {
+                Some((self.locations.get(of)?, *number))
+            }
+            _ => None,
+        }
+    }
+
+    fn follow(&mut self, event: &Event) {
+        if event.turn != self.turn {
+            self.turn = event.turn;
+            let used = self.programs.values().filter(|p| p.is_used).count();
+            // What another function did last is not known, unless there is only one program.
+            if used > 1 || self.current == Ok(None) {
+                self.current = Err(());
+            }
+        }
+        match &event.kind {
+            EventKind::Write {
+                object,
+                key: None,
+                value,
+            } => {
+                let location = value.object().and_then(|id| self.locations.get(&id));
+                if let Some(location) = location.filter(|l| l.name.is_none()) {
+                    self.tables.insert(*object, location.program);
+                }
+            }
+            EventKind::Call(call) if &*call.name == "useProgram" => {
+                let program = argument(call, 0).and_then(Value::object);
+                self.current = match event.certainty {
+                    Certainty::Sure => match program {
+                        Some(id) if self.programs.contains_key(&id) => Ok(Some(id)),
+                        Some(_) => Err(()),
+                        None => Ok(None),
+                    },
+                    _ => Err(()),
+                };
+            }
+            EventKind::Call(call) if call.name.starts_with("draw") && call.this.is_some() => {
+                for (id, program) in &mut self.programs {
+                    program.is_drawn |= match self.current {
+                        Ok(current) => current == Some(*id),
+                        Err(()) => program.is_used,
+                    };
+                }
+            }
+            EventKind::Call(call) => {
+                self.check_lookup(call);
+                self.check_setter(call, event);
+            }
+            _ => {}
+        }
+    }
+}

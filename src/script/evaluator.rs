@@ -1,0 +1,459 @@
+//! The state of an evaluation: objects, scopes and names.
+
+use crate::value::{ObjectId, Place, ScriptText, Value};
+use crate::world::{
+    Certainty, Closure, Event, EventId, EventKind, ObjectKind, Property, ScopeId, ScriptObject,
+    Source, World,
+};
+use oxc_allocator::Allocator;
+use oxc_span::Span;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// Maximum number of expressions and statements that are evaluated.
+const MAX_STEPS: usize = 300_000;
+/// Maximum depth of expressions, statements and calls.
+const MAX_DEPTH: usize = 120;
+/// Maximum number of objects.
+const MAX_OBJECTS: usize = 60_000;
+/// Maximum number of rounds in which functions are called that the program does not call itself.
+const MAX_ROUNDS: usize = 4;
+
+/// Finds the modules of a program.
+pub trait Loader {
+    /// The file that the path in an import means, with its text.
+    fn load(&self, path: &str, from: &Path) -> Option<(PathBuf, Arc<str>)>;
+    /// The code of a file in which everything except its scripts is blank; `None` if it is not a script.
+    fn script(&self, path: &Path, text: &str) -> Option<String>;
+    /// The contents of the element of a page with this `id`.
+    fn element(&self, text: &str, id: &str) -> Option<Range<usize>>;
+}
+
+/// Evaluates a program and hands on what it does. Functions that nothing calls are called last, with unknown
+/// arguments.
+pub fn evaluate<R>(
+    (path, text): (&Path, &str),
+    loader: &dyn Loader,
+    read: impl FnOnce(&World) -> R,
+) -> Option<R> {
+    let allocator = Allocator::default();
+    let mut evaluator = Evaluator {
+        allocator: &allocator,
+        loader,
+        world: World::default(),
+        scopes: Vec::new(),
+        modules: Vec::new(),
+        globals: FxHashMap::default(),
+        members: FxHashMap::default(),
+        frames: Vec::new(),
+        active: Vec::new(),
+        logs: Vec::new(),
+        deferred: Vec::new(),
+        certainty: Certainty::Sure,
+        turn: 0,
+        missing: None,
+        file: 0,
+        steps: MAX_STEPS,
+        depth: 0,
+    };
+    evaluator.module(path.to_path_buf(), text.into())?;
+    for _ in 0..MAX_ROUNDS {
+        if !evaluator.call_deferred() && !evaluator.call_orphans() {
+            break;
+        }
+    }
+    evaluator.world.is_cut |= evaluator.steps == 0;
+    Some(read(&evaluator.world))
+}
+
+/// A variable or property that is changed.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub(crate) enum Slot<'a> {
+    Variable(ScopeId, &'a str),
+    Property(ObjectId, Rc<str>),
+}
+
+/// The names of a block.
+pub(crate) struct Scope<'a> {
+    parent: Option<ScopeId>,
+    names: FxHashMap<&'a str, Value>,
+}
+
+/// A function that is running.
+pub(crate) struct Frame {
+    pub this: Value,
+    /// The class of the running method.
+    pub home: Option<ObjectId>,
+    pub results: Vec<Value>,
+}
+
+pub(crate) struct Evaluator<'a, 'r> {
+    pub allocator: &'a Allocator,
+    pub loader: &'r dyn Loader,
+    pub world: World<'a>,
+    scopes: Vec<Scope<'a>>,
+    /// The modules with the objects of their exports.
+    pub modules: Vec<(PathBuf, ObjectId)>,
+    globals: FxHashMap<Rc<str>, ObjectId>,
+    members: FxHashMap<(ObjectId, Rc<str>), ObjectId>,
+    pub frames: Vec<Frame>,
+    /// The functions that are running.
+    pub active: Vec<ObjectId>,
+    /// What the branches that are being evaluated have changed, with the values before.
+    pub logs: Vec<Vec<(Slot<'a>, Option<Value>)>>,
+    /// Functions that were handed on.
+    pub deferred: Vec<ObjectId>,
+    pub certainty: Certainty,
+    /// The number of the current turn.
+    pub turn: usize,
+    /// The last property that was missing.
+    pub missing: Option<EventId>,
+    /// The index of the current file.
+    pub file: usize,
+    pub steps: usize,
+    pub depth: usize,
+}
+
+impl<'a> Evaluator<'a, '_> {
+    /// Runs something that nests, unless a budget is used up.
+    pub fn nested<R>(&mut self, run: impl FnOnce(&mut Self) -> R) -> Option<R> {
+        self.steps = self.steps.saturating_sub(1);
+        let is_full = self.world.objects.len() > MAX_OBJECTS;
+        if self.steps == 0 || self.depth >= MAX_DEPTH || is_full {
+            self.world.is_cut = true;
+            return None;
+        }
+        self.depth += 1;
+        let result = run(self);
+        self.depth -= 1;
+        Some(result)
+    }
+
+    pub fn place(&self, span: Span) -> Place {
+        Place {
+            file: self.file,
+            start: span.start,
+            end: span.end,
+        }
+    }
+
+    /// Adds an object.
+    pub fn add(&mut self, kind: ObjectKind<'a>, place: Place) -> ObjectId {
+        self.world.objects.push(ScriptObject {
+            kind,
+            place,
+            properties: Vec::new(),
+            is_open: false,
+            class: None,
+        });
+        self.world.objects.len() - 1
+    }
+
+    /// A value of which nothing is known.
+    pub fn unknown(&mut self, place: Place) -> Value {
+        Value::Object(self.add(ObjectKind::Foreign(Source::Unknown), place))
+    }
+
+    pub fn plain(&mut self, place: Place) -> ObjectId {
+        self.add(ObjectKind::Plain, place)
+    }
+
+    pub fn array(&mut self, elements: Vec<Value>, place: Place) -> Value {
+        Value::Object(self.add(ObjectKind::Array(elements), place))
+    }
+
+    /// Makes an object one that may have other properties or elements.
+    pub fn open(&mut self, value: &Value) {
+        if let Some(object) = value.object().and_then(|id| self.world.objects.get_mut(id)) {
+            object.is_open = true;
+        }
+    }
+
+    /// Records an event.
+    pub fn record(&mut self, kind: EventKind, place: Place) -> EventId {
+        self.world.events.push(Event {
+            kind,
+            place,
+            certainty: self.certainty,
+            turn: self.turn,
+        });
+        self.world.events.len() - 1
+    }
+
+    pub fn closure(&self, id: ObjectId) -> Option<&Closure<'a>> {
+        match &self.world.objects.get(id)?.kind {
+            ObjectKind::Function(closure) => Some(closure),
+            _ => None,
+        }
+    }
+
+    /// A scope in another.
+    pub fn scope(&mut self, parent: Option<ScopeId>) -> ScopeId {
+        self.scopes.push(Scope {
+            parent,
+            names: FxHashMap::default(),
+        });
+        self.scopes.len() - 1
+    }
+
+    /// Declares a name.
+    pub fn declare(&mut self, scope: ScopeId, name: &'a str, value: Value) {
+        if let Some(scope) = self.scopes.get_mut(scope) {
+            scope.names.insert(name, value);
+        }
+    }
+
+    /// The scope that declares a name.
+    fn declaring(&self, scope: ScopeId, name: &str) -> Option<ScopeId> {
+        let mut current = Some(scope);
+        while let Some(id) = current {
+            let scope = self.scopes.get(id)?;
+            if scope.names.contains_key(name) {
+                return Some(id);
+            }
+            current = scope.parent;
+        }
+        None
+    }
+
+    /// The value of a name.
+    pub fn name(&mut self, scope: ScopeId, name: &str, place: Place) -> Value {
+        if name == "undefined" {
+            return Value::Undefined;
+        }
+        let declaring = self.declaring(scope, name);
+        let declared = declaring.and_then(|id| self.scopes.get(id)?.names.get(name));
+        match declared {
+            Some(value) => value.clone(),
+            None => Value::Object(self.global(name, place)),
+        }
+    }
+
+    /// The object of a global name.
+    pub fn global(&mut self, name: &str, place: Place) -> ObjectId {
+        if let Some(id) = self.globals.get(name) {
+            return *id;
+        }
+        let name: Rc<str> = name.into();
+        let id = self.add(ObjectKind::Foreign(Source::Global(name.clone())), place);
+        self.globals.insert(name, id);
+        id
+    }
+
+    /// Assigns to a name.
+    pub fn set_name(&mut self, scope: ScopeId, name: &'a str, value: Value) {
+        if let Some(scope) = self.declaring(scope, name) {
+            self.set(Slot::Variable(scope, name), Some(value), Place::default());
+        }
+    }
+
+    /// The value of a slot.
+    pub fn slot(&self, slot: &Slot<'a>) -> Option<Value> {
+        match slot {
+            Slot::Variable(scope, name) => self.scopes.get(*scope)?.names.get(name).cloned(),
+            Slot::Property(object, key) => Some(self.world.property(*object, key)?.value.clone()),
+        }
+    }
+
+    /// Changes a slot, or removes it, and remembers that for the branch that is being evaluated.
+    pub fn set(&mut self, slot: Slot<'a>, value: Option<Value>, place: Place) {
+        let old = self.slot(&slot);
+        if let Some(log) = self.logs.last_mut()
+            && !log.iter().any(|(known, _)| *known == slot)
+        {
+            log.push((slot.clone(), old));
+        }
+        self.put(&slot, value, place);
+    }
+
+    /// Changes a slot, or removes it.
+    pub fn put(&mut self, slot: &Slot<'a>, value: Option<Value>, place: Place) {
+        match slot {
+            Slot::Variable(scope, name) => {
+                if let (Some(scope), Some(value)) = (self.scopes.get_mut(*scope), value) {
+                    scope.names.insert(name, value);
+                }
+            }
+            Slot::Property(object, key) => {
+                let is_sure = self.logs.is_empty();
+                let Some(object) = self.world.objects.get_mut(*object) else {
+                    return;
+                };
+                let known = object.properties.iter().position(|p| p.key == *key);
+                match (known, value) {
+                    (Some(index), Some(value)) => {
+                        if let Some(property) = object.properties.get_mut(index) {
+                            property.value = value;
+                        }
+                    }
+                    (Some(index), None) => {
+                        object.properties.remove(index);
+                    }
+                    (None, Some(value)) => object.properties.push(Property {
+                        key: key.clone(),
+                        value,
+                        place,
+                        is_sure,
+                        accessors: [None, None],
+                    }),
+                    (None, None) => {}
+                }
+            }
+        }
+    }
+
+    /// Sets a property of a new object, which no branch shares.
+    pub fn define(&mut self, object: ObjectId, key: &str, value: Value, place: Place) {
+        self.put(&Slot::Property(object, key.into()), Some(value), place);
+        let object = self.world.objects.get_mut(object);
+        let property = object.and_then(|o| o.properties.iter_mut().find(|p| &*p.key == key));
+        if let Some(property) = property {
+            property.is_sure = true;
+            property.place = place;
+        }
+    }
+
+    /// The value of a property.
+    pub fn member(&mut self, value: &Value, key: &str, place: Place) -> Value {
+        let id = match value {
+            Value::Object(id) => match self.element_text(*id, key) {
+                Some(text) => return text,
+                None => *id,
+            },
+            Value::Text(text) if key == "length" && !text.is_open => {
+                return Value::Number(
+                    text.content.chars().map(char::len_utf16).sum::<usize>() as f64
+                );
+            }
+            _ => return self.unknown(place),
+        };
+        if let Some(property) = self.world.property(id, key).cloned() {
+            return match property.accessors {
+                [Some(getter), _] => self.run(getter, Value::Object(id), Vec::new(), place),
+                [None, Some(_)] => Value::Undefined,
+                _ => property.value,
+            };
+        }
+        if let Some(found) = self.inherited(id, key, place) {
+            return found;
+        }
+        let Some(object) = self.world.object(id) else {
+            return Value::Undefined;
+        };
+        match &object.kind {
+            ObjectKind::Array(elements) => {
+                let is_open = object.is_open;
+                let found = match key {
+                    "length" => Some(Value::Number(elements.len() as f64)),
+                    _ => key
+                        .parse()
+                        .ok()
+                        .and_then(|at: usize| elements.get(at).cloned()),
+                };
+                match found {
+                    Some(found) if !is_open || key != "length" => found,
+                    _ if is_open => self.child(id, key, place),
+                    _ => Value::Undefined,
+                }
+            }
+            ObjectKind::Plain if !object.is_open && object.class.is_none() => {
+                let kind = EventKind::Missing {
+                    object: id,
+                    key: key.into(),
+                    is_used: false,
+                };
+                self.missing = Some(self.record(kind, place));
+                Value::Undefined
+            }
+            ObjectKind::Plain if !object.is_open => Value::Undefined,
+            _ => self.child(id, key, place),
+        }
+    }
+
+    /// The text of an element of the page: `document.getElementById("id").textContent`.
+    fn element_text(&self, id: ObjectId, key: &str) -> Option<Value> {
+        let is_text = ["textContent", "innerText", "innerHTML", "text"].contains(&key);
+        let call = self.world.call_of(id).filter(|_| is_text)?;
+        let (selector, _) = call.arguments.first()?;
+        let name = match &*call.name {
+            "getElementById" => selector.text()?,
+            "querySelector" => selector.text()?.strip_prefix('#')?,
+            _ => return None,
+        };
+        let (_, page) = self.world.files.first()?;
+        let range = self.loader.element(page, name)?;
+        let place = Place {
+            file: 0,
+            start: range.start as u32,
+            end: range.end as u32,
+        };
+        let text = ScriptText::written(page.get(range)?, place);
+        Some(Value::Text(Rc::new(text)))
+    }
+
+    /// A property of an object of which nothing is known; the same each time.
+    fn child(&mut self, id: ObjectId, key: &str, place: Place) -> Value {
+        let key: Rc<str> = key.into();
+        if let Some(child) = self.members.get(&(id, key.clone())) {
+            return Value::Object(*child);
+        }
+        let child = self.add(ObjectKind::Foreign(Source::Member(id, key.clone())), place);
+        self.members.insert((id, key), child);
+        Value::Object(child)
+    }
+
+    /// Sets a property.
+    pub fn write(&mut self, target: &Value, key: Option<Rc<str>>, value: Value, place: Place) {
+        let Value::Object(id) = target else {
+            return;
+        };
+        let id = *id;
+        let kind = EventKind::Write {
+            object: id,
+            key: key.clone(),
+            value: value.clone(),
+        };
+        let Some(key) = key else {
+            self.record(kind, place);
+            return self.open(target);
+        };
+        let setter = self.world.property(id, &key).and_then(|p| p.accessors[1]);
+        if let Some(setter) = setter.or_else(|| self.setter(id, &key)) {
+            self.run(setter, Value::Object(id), vec![(value, place)], place);
+            return;
+        }
+        self.record(kind, place);
+        let is_branch = !self.logs.is_empty();
+        if let Some(ObjectKind::Array(elements)) =
+            self.world.objects.get_mut(id).map(|o| &mut o.kind)
+        {
+            match key.parse().ok().and_then(|at: usize| elements.get_mut(at)) {
+                Some(element) if !is_branch => *element = value,
+                _ => self.open(target),
+            }
+            return;
+        }
+        self.set(Slot::Property(id, key), Some(value), place);
+    }
+
+    /// A text, or its unknown value.
+    pub fn as_text(&self, value: &Value) -> ScriptText {
+        match value {
+            Value::Text(text) => (**text).clone(),
+            Value::Number(number) => ScriptText::made(format!("{number}")),
+            Value::Bool(flag) => ScriptText::made(flag.to_string()),
+            Value::Null => ScriptText::made("null".to_string()),
+            Value::Undefined => ScriptText::made("undefined".to_string()),
+            Value::Any(_) | Value::Object(_) => ScriptText::unknown(),
+        }
+    }
+
+    /// The name of the property that a value selects, if it is known.
+    pub fn key(&self, value: &Value) -> Option<Rc<str>> {
+        let text = self.as_text(value);
+        (!text.is_open).then(|| text.content.into())
+    }
+}
