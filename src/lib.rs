@@ -41,6 +41,7 @@ pub use shaderlint_port as port;
 pub use shaderlint_project as project;
 pub use shaderlint_report as report;
 pub use shaderlint_rules as rules;
+pub use shaderlint_script as script;
 pub use shaderlint_semantic as semantic;
 pub use shaderlint_syntax as syntax;
 pub use shaderlint_text as text;

@@ -3,8 +3,8 @@
 use shaderlint_script::{Place, ScriptText};
 use shaderlint_semantic::interface::{Interface, InterfaceVariable};
 use shaderlint_semantic::{
-    Base, CheckedShader, Completeness, Dialect, Scalar, Stage, Storage, Type, Unit, check_shader,
-    needs_300,
+    Base, BlockLayout, CheckedShader, Completeness, Dialect, Scalar, Stage, Storage, Type, Unit,
+    check_shader, needs_300,
 };
 use shaderlint_syntax::{GlContext, Search};
 use shaderlint_text::{FileId, Role, Sources, Span};
@@ -85,8 +85,10 @@ pub struct ShaderInterface {
     pub inputs: Vec<Declared>,
     /// Varyings of a vertex shader, outputs of a fragment shader.
     pub outputs: Vec<Declared>,
-    /// Names of uniform blocks and of their instances.
-    pub blocks: Vec<String>,
+    /// The names of the members of uniform blocks without an instance name, and of other uniforms.
+    members: Vec<String>,
+    /// Uniform blocks: their names, layouts and places.
+    blocks: Vec<(String, BlockLayout, Option<Place>)>,
     /// All words, also those that no condition selects.
     words: HashSet<String>,
     /// Whether other texts are inserted, or parts are unknown.
@@ -120,6 +122,7 @@ impl ShaderInterface {
             uniforms: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),
+            members: Vec::new(),
             blocks: Vec::new(),
             words: words(code),
             is_open: text.is_open || lines().any(inserts),
@@ -188,18 +191,30 @@ impl ShaderInterface {
         let all = |list: &[InterfaceVariable]| list.iter().filter_map(declared).collect();
         let (uniforms, inputs) = (all(&interface.uniforms), all(&interface.inputs));
         let outputs = all(&interface.outputs);
-        let blocks = interface.blocks.iter().map(|block| block.name);
+        let blocks = interface.blocks.iter().filter_map(|block| {
+            let layout = BlockLayout::of(&interface, block)?;
+            let span = program.token(block.token)?.span;
+            let name = program.names.text(block.name).to_string();
+            Some((name, layout, self.written(base, span)))
+        });
+        let blocks = blocks.collect();
         let variables = program.variables.iter();
         let members = variables.filter(|v| v.storage == Storage::Uniform);
-        let names = blocks.chain(members.map(|v| v.name));
-        let names = names.map(|name| program.names.text(name).to_string());
-        self.blocks = names.collect();
+        self.members = members
+            .map(|v| program.names.text(v.name).to_string())
+            .collect();
+        self.blocks = blocks;
         (self.uniforms, self.inputs, self.outputs) = (uniforms, inputs, outputs);
     }
 
     /// A uniform.
     pub fn uniform(&self, name: &str) -> Option<&Declared> {
         self.uniforms.iter().find(|u| u.name == name)
+    }
+
+    /// The names of the uniform blocks.
+    pub fn block_names(&self) -> impl Iterator<Item = &str> {
+        self.blocks.iter().map(|(name, _, _)| name.as_str())
     }
 
     /// Whether a word appears in the text.
@@ -322,6 +337,13 @@ impl Stages {
         found().find(|u| u.is_active).or_else(|| found().next())
     }
 
+    /// The layout of a block, and where it is declared.
+    pub fn block(&self, name: &str) -> Option<(&BlockLayout, Option<Place>)> {
+        let mut all = self.all().flat_map(|s| &s.blocks);
+        let (_, layout, place) = all.find(|(own, _, _)| own == name)?;
+        Some((layout, *place))
+    }
+
     /// The uniforms that the browser keeps, each once.
     pub fn active_uniforms(&self) -> Vec<&Declared> {
         let mut found: Vec<&Declared> = Vec::new();
@@ -336,6 +358,6 @@ impl Stages {
     /// Whether a word appears in a shader, in any place.
     pub fn mention(&self, word: &str) -> bool {
         self.all()
-            .any(|s| s.mentions(word) || s.blocks.iter().any(|b| b == word))
+            .any(|s| s.mentions(word) || s.members.iter().any(|m| m == word))
     }
 }

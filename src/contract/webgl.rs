@@ -1,6 +1,7 @@
 //! Programs that scripts make with WebGL itself: the calls are replayed in their order.
 
 mod attributes;
+mod blocks;
 mod setters;
 mod uniforms;
 
@@ -108,6 +109,7 @@ pub fn check(world: &World, found: &mut Vec<Breach>) {
     }
     replay.check_unset(found);
     attributes::check(&replay, found);
+    blocks::check(&replay, found);
     found.extend(replay.verdicts.0.into_values().flatten());
 }
 

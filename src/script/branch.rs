@@ -126,14 +126,15 @@ impl<'a, 'r> Evaluator<'a, 'r> {
     ) -> Flow {
         /// Maximum number of iterations that are evaluated one by one.
         const MAX_ITERATIONS: usize = 40;
-        let start = self.world.events.len();
         self.logs.push(Vec::new());
         let mut flow = Flow::Next;
         let mut is_known = false;
+        let mut has_run = false;
         for _ in 0..MAX_ITERATIONS {
             match step(self) {
                 Some(false) => is_known = true,
                 Some(true) => {
+                    has_run = true;
                     flow = body(self);
                     is_known = flow == Flow::Break || flow.ends_function();
                 }
@@ -162,12 +163,11 @@ impl<'a, 'r> Evaluator<'a, 'r> {
             };
         }
         // What an iteration changes is unknown before the next one.
-        let is_first = self.world.events.len() == start;
         let mut once = |e: &mut Self| {
             step(e);
             (body(e), Value::Undefined)
         };
-        if is_first {
+        if !has_run {
             let (before, missing) = (self.world.events.len(), self.missing);
             self.ways(&mut [&mut once]);
             self.world.events.truncate(before);

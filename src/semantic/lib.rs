@@ -47,6 +47,7 @@ pub use program::interface;
 pub use program::late_values::{globals, late_values};
 pub use program::mentions::Mentions;
 pub use program::reach::Reachability;
+pub use program::std140::{BlockLayout, BlockMember};
 pub use program::structure::{Structure, each_expr, each_inner, each_operand, is_dropped};
 pub use program::target::{root, swizzled};
 pub use program::{

@@ -2,7 +2,7 @@
 
 use shaderlint_detect::embed::{
     AskedWebGl, DocumentLanguage, Embedder, LeadingBlanks, MentionKind, NameRole, NamedStage,
-    asked, extract, lists, mentions, together,
+    extract, lists, mentions, together,
 };
 
 #[track_caller]
@@ -183,20 +183,6 @@ fn shaders_used_by_the_same_call_are_paired() {
          <script>link(get('v'), document.querySelector('#f'));</script>",
         "a+b",
     );
-}
-
-#[test]
-fn queried_uniforms_are_found() {
-    let text = "m({ uniforms: { uA: { value: x ? y : z }, 'uB': b, ...c } });\
-        a = gl.getUniformLocation(p[1], \"uTime\"); gl.getUniformLocation(p, name);\
-        gl.getUniformLocation(p, 'uLight[0].color'); gl.getUniformLocation(p, 'u' + i);";
-    let all = asked(DocumentLanguage::Script, text);
-    let names: Vec<_> = all
-        .iter()
-        .map(|a| (a.name.as_str(), &text[a.range.clone()]))
-        .collect();
-    let expected = ["uA", "uB", "uTime", "uLight"];
-    assert_eq!(names, expected.map(|n| (n, n)));
 }
 
 /// Marks the mentions of `name` in a script: `<name>`, `+name+` for shorthands, `?name?` for

@@ -47,7 +47,10 @@ pub fn uses_pixel_ratio(world: &World) -> bool {
 
 impl Replay<'_> {
     /// The location that a value is, also one of a table by names.
-    fn uniform_location(&self, value: Option<&Value>) -> Option<(ObjectId, Option<String>, Place)> {
+    pub fn uniform_location(
+        &self,
+        value: Option<&Value>,
+    ) -> Option<(ObjectId, Option<String>, Place)> {
         if let Some((location, _)) = self.location(value).filter(|(l, _)| !l.is_attribute) {
             return Some((location.program, location.name.clone(), location.place));
         }

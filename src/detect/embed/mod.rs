@@ -25,6 +25,7 @@ mod together;
 mod webgl;
 
 use crate::kind::{may_be_shader, sections};
+use crate::script::depth::is_limited;
 
 pub use crate::document_language::DocumentLanguage;
 pub use embedded::{
@@ -42,6 +43,10 @@ pub use webgl::AskedWebGl;
 /// The scripts of a file, with blanks for everything else, so that offsets are the same; `None` if it is no file
 /// with scripts.
 pub fn script_code(language: DocumentLanguage, text: &str) -> Option<String> {
+    // The parser has no limit of its own.
+    if !is_limited(text) {
+        return None;
+    }
     let mut ranges = match language {
         DocumentLanguage::Script => return Some(text.to_string()),
         DocumentLanguage::Component | DocumentLanguage::Html => html::scripts(text),

@@ -1,7 +1,7 @@
 //! Scripts: JavaScript and TypeScript, with JSX.
 
 mod build;
-mod depth;
+pub mod depth;
 mod scan;
 pub mod token;
 pub mod tree;

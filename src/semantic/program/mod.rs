@@ -6,6 +6,7 @@ pub(super) mod late_values;
 pub(super) mod mentions;
 pub(super) mod reach;
 mod static_use;
+pub mod std140;
 pub(super) mod structure;
 pub(super) mod target;
 
