@@ -1,6 +1,6 @@
 //! Where a script and its shaders disagree.
 
-use shaderlint_script::Place;
+use shaderlint_script::ScriptPlace;
 
 /// A place where a script and its shaders disagree.
 #[derive(Clone, PartialEq, Debug)]
@@ -8,11 +8,11 @@ pub struct Breach {
     /// The rule that reports it.
     pub rule: &'static str,
     /// Where.
-    pub place: Place,
+    pub place: ScriptPlace,
     /// What is wrong.
     pub message: String,
     /// Another place, with its label.
-    pub label: Option<(Place, String)>,
+    pub label: Option<(ScriptPlace, String)>,
     /// The evidence.
     pub note: Option<String>,
     /// What to do.
@@ -21,7 +21,7 @@ pub struct Breach {
 
 impl Breach {
     /// A breach of a rule at a place.
-    pub fn new(rule: &'static str, place: Place, message: String) -> Breach {
+    pub fn new(rule: &'static str, place: ScriptPlace, message: String) -> Breach {
         Breach {
             rule,
             place,
@@ -33,7 +33,7 @@ impl Breach {
     }
 
     /// With another place.
-    pub fn label(mut self, place: Option<Place>, text: impl Into<String>) -> Breach {
+    pub fn label(mut self, place: Option<ScriptPlace>, text: impl Into<String>) -> Breach {
         self.label = place.map(|place| (place, text.into()));
         self
     }

@@ -1,17 +1,19 @@
 //! Attributes that the geometries of libraries feed.
 
 use crate::breach::{Breach, nearest};
-use crate::interface::Declared;
-use crate::library::Origin;
+use crate::interface::DeclaredInput;
+use crate::library::{GeometryKind, LibraryExport, attributes_of_shapes, geometry_kind};
 use crate::materials::Material;
-use crate::shape::Shape;
-use shaderlint_script::{Call, EventKind, ObjectId, ObjectKind, Place, Value, World};
+use crate::shape::ValueShape;
+use shaderlint_script::{
+    EventKind, ForeignCall, ObjectId, ObjectKind, ScriptPlace, ScriptValue, World,
+};
 use shaderlint_semantic::Scalar;
 
 /// The data of an attribute.
 struct Feed {
     name: String,
-    place: Place,
+    place: ScriptPlace,
     /// Numbers per vertex.
     size: Option<f64>,
     /// How many numbers there are.
@@ -26,18 +28,15 @@ struct Geometry {
     feeds: Vec<Feed>,
     /// Whether it may feed others.
     is_open: bool,
-    place: Place,
+    place: ScriptPlace,
 }
-
-/// Attributes that the shapes of three.js and OGL have.
-const OF_SHAPES: &[&str] = &["position", "normal", "uv"];
 
 /// Adds what is wrong with the attributes of programs of libraries.
 pub fn check(world: &World, materials: &[Material], found: &mut Vec<Breach>) {
     for material in materials {
         let mut all = geometries(world, material);
         // With several, each must feed the shader; one that is not known may be the one in use.
-        if let Some(object) = material.attributes.as_ref().and_then(Value::object) {
+        if let Some(object) = material.attributes.as_ref().and_then(ScriptValue::object) {
             all.push(of_object(world, object));
         }
         for geometry in all {
@@ -103,9 +102,9 @@ fn check_geometry(
 }
 
 /// The number of numbers in data.
-fn count(world: &World, data: &Value) -> Option<usize> {
-    match Shape::of(world, data) {
-        Shape::Numbers(count) => count,
+fn count(world: &World, data: &ScriptValue) -> Option<usize> {
+    match ValueShape::of(world, data) {
+        ValueShape::Numbers(count) => count,
         _ => None,
     }
 }
@@ -133,7 +132,7 @@ fn uneven(geometry: &Geometry) -> Option<Breach> {
 }
 
 /// Data of the wrong size or type for an attribute.
-fn wrong_data(attribute: &Declared, feed: &Feed) -> Option<Breach> {
+fn wrong_data(attribute: &DeclaredInput, feed: &Feed) -> Option<Breach> {
     let components = f64::from(attribute.components()?);
     let breach = |message: String| {
         Breach::new("attribute-data", feed.place, message).label(
@@ -178,7 +177,7 @@ fn geometries(world: &World, material: &Material) -> Vec<Geometry> {
             found.extend(of_element(world, call, material));
             continue;
         }
-        let is_it = |value: &Value| value.object() == Some(material.call.result);
+        let is_it = |value: &ScriptValue| value.object() == Some(material.call.result);
         let holder = call.arguments.iter().rev().find(|(value, _)| {
             is_it(value)
                 || ["material", "program", "shader"]
@@ -209,7 +208,7 @@ fn of_geometry(world: &World, id: ObjectId) -> Option<Geometry> {
         id = call.this?;
         call = world.call_of(id)?;
     }
-    let origin = Origin::of(world, call.callee)?;
+    let origin = LibraryExport::of(world, call.callee)?;
     let mut geometry = Geometry {
         place: world.object(id)?.place,
         ..Geometry::default()
@@ -225,26 +224,20 @@ fn of_geometry(world: &World, id: ObjectId) -> Option<Geometry> {
                         .is_some_and(|o| matches!(o.kind, ObjectKind::Plain))
                 }),
             });
-    match (origin.name, object) {
-        ("BufferGeometry" | "InstancedBufferGeometry", _) => {
-            geometry.is_open = call.name.starts_with("Inst")
-        }
-        ("Geometry", Some(object)) if origin.is_of("ogl") || origin.is_of("pixi") => {
-            geometry = of_object(world, object);
-        }
-        ("Geometry", None) if origin.is_of("pixi") => {}
-        _ => {
-            let shape = OF_SHAPES.iter().map(|name| Feed {
-                name: name.to_string(),
+    match (geometry_kind(&origin), object) {
+        (Some(GeometryKind::Empty), _) | (Some(GeometryKind::Object), None) => {}
+        (Some(GeometryKind::Object), Some(object)) => geometry = of_object(world, object),
+        (Some(GeometryKind::Shape), _) => {
+            let shape = attributes_of_shapes().iter().map(|name| Feed {
+                name: name.clone(),
                 place: geometry.place,
                 size: None,
                 length: None,
                 class: String::new(),
             });
-            let is_shape = origin.name.ends_with("Geometry") && origin.is_of("three");
-            geometry.is_open = !is_shape;
             geometry.feeds.extend(shape);
         }
+        (Some(GeometryKind::Open) | None, _) => geometry.is_open = true,
     }
     add_set(world, id, &mut geometry);
     Some(geometry)
@@ -261,8 +254,8 @@ fn add_set(world: &World, id: ObjectId, geometry: &mut Geometry) {
         let is_own = call.this.is_some_and(|this| owners.contains(&this));
         if !is_own {
             // A function that is not known may add some.
-            let gets = |(value, _): &(Value, Place)| value.object() == Some(id);
-            let is_library = Origin::of(world, call.callee).is_some() || call.this.is_some();
+            let gets = |(value, _): &(ScriptValue, ScriptPlace)| value.object() == Some(id);
+            let is_library = LibraryExport::of(world, call.callee).is_some() || call.this.is_some();
             geometry.is_open |= call.arguments.iter().any(gets) && !is_library;
             continue;
         }
@@ -307,9 +300,15 @@ fn add_set(world: &World, id: ObjectId, geometry: &mut Geometry) {
 }
 
 /// An attribute with its data.
-fn feed(world: &World, name: &str, data: Option<&Value>, size: Option<f64>, place: Place) -> Feed {
+fn feed(
+    world: &World,
+    name: &str,
+    data: Option<&ScriptValue>,
+    size: Option<f64>,
+    place: ScriptPlace,
+) -> Feed {
     let call = data
-        .and_then(Value::object)
+        .and_then(ScriptValue::object)
         .and_then(|id| world.call_of(id));
     let mut found = Feed {
         name: name.to_string(),
@@ -356,10 +355,12 @@ fn of_object(world: &World, id: ObjectId) -> Geometry {
         .iter()
         .filter(|p| &*p.key != "index" && &*p.key != "elements")
     {
-        let size = world.get(&property.value, "size").and_then(Value::number);
-        let nested = match Shape::of(world, &property.value) {
-            Shape::List(_, of) => match *of {
-                Shape::Numbers(Some(count)) => Some(count as f64),
+        let size = world
+            .get(&property.value, "size")
+            .and_then(ScriptValue::number);
+        let nested = match ValueShape::of(world, &property.value) {
+            ValueShape::List(_, of) => match *of {
+                ValueShape::Numbers(Some(count)) => Some(count as f64),
                 _ => None,
             },
             _ => None,
@@ -381,7 +382,7 @@ fn of_object(world: &World, id: ObjectId) -> Geometry {
 }
 
 /// The geometry beside a material in an element: `<mesh><bufferGeometry /><shaderMaterial /></mesh>`.
-fn of_element(world: &World, call: &Call, material: &Material) -> Option<Geometry> {
+fn of_element(world: &World, call: &ForeignCall, material: &Material) -> Option<Geometry> {
     let children = call.arguments.get(1).map(|(value, _)| value)?;
     let children = world.elements(children)?;
     children
@@ -409,7 +410,7 @@ fn of_element(world: &World, call: &Call, material: &Material) -> Option<Geometr
             continue;
         };
         let attributes = element.arguments.first().map(|(value, _)| value)?;
-        let attach = world.get(attributes, "attach").and_then(Value::text);
+        let attach = world.get(attributes, "attach").and_then(ScriptValue::text);
         let name = attach.and_then(|a| {
             a.strip_prefix("attributes-")
                 .or(a.strip_prefix("attributes."))
@@ -430,7 +431,7 @@ fn of_element(world: &World, call: &Call, material: &Material) -> Option<Geometr
         found.feeds.push(Feed {
             name: name.to_string(),
             place: place.unwrap_or(found.place),
-            size: size.and_then(Value::number),
+            size: size.and_then(ScriptValue::number),
             length: None,
             class: String::new(),
         });

@@ -1,6 +1,6 @@
 //! What a shader declares, read from the text that a script hands to its host.
 
-use shaderlint_script::{Place, ScriptText};
+use shaderlint_script::{KnownText, ScriptPlace};
 use shaderlint_semantic::interface::{Interface, InterfaceVariable};
 use shaderlint_semantic::{
     Base, BlockLayout, CheckedShader, Completeness, Dialect, Scalar, Stage, Storage, Type, Unit,
@@ -17,7 +17,7 @@ const INSERTING: &[&str] = &["#include", "#pragma", "#import", "#require"];
 
 /// A uniform, attribute, varying or output.
 #[derive(Clone, Debug)]
-pub struct Declared {
+pub struct DeclaredInput {
     /// Its name.
     pub name: String,
     /// Its type.
@@ -29,10 +29,10 @@ pub struct Declared {
     /// Value of `layout(location = ...)`.
     pub location: Option<i32>,
     /// Where its name is written.
-    pub place: Option<Place>,
+    pub place: Option<ScriptPlace>,
 }
 
-impl Declared {
+impl DeclaredInput {
     /// Number of components of an element; `None` for samplers and structs.
     pub fn components(&self) -> Option<u32> {
         let element = Type {
@@ -78,17 +78,17 @@ impl Declared {
 #[derive(Debug)]
 pub struct ShaderInterface {
     /// The text.
-    pub text: Rc<ScriptText>,
+    pub text: Rc<KnownText>,
     /// Uniforms outside of blocks, and members of blocks without an instance name.
-    pub uniforms: Vec<Declared>,
+    pub uniforms: Vec<DeclaredInput>,
     /// Attributes of a vertex shader, varyings of a fragment shader.
-    pub inputs: Vec<Declared>,
+    pub inputs: Vec<DeclaredInput>,
     /// Varyings of a vertex shader, outputs of a fragment shader.
-    pub outputs: Vec<Declared>,
+    pub outputs: Vec<DeclaredInput>,
     /// The names of the members of uniform blocks without an instance name, and of other uniforms.
     members: Vec<String>,
     /// Uniform blocks: their names, layouts and places.
-    blocks: Vec<(String, BlockLayout, Option<Place>)>,
+    blocks: Vec<(String, BlockLayout, Option<ScriptPlace>)>,
     /// All words, also those that no condition selects.
     words: HashSet<String>,
     /// Whether other texts are inserted, or parts are unknown.
@@ -104,7 +104,7 @@ pub struct ShaderInterface {
 impl ShaderInterface {
     /// Reads a shader that is compiled after some macros and, if it has no `#version`, other lines.
     pub fn of(
-        text: &Rc<ScriptText>,
+        text: &Rc<KnownText>,
         stage: Stage,
         (macros, lines_before): (&[(String, String)], &str),
     ) -> ShaderInterface {
@@ -159,7 +159,7 @@ impl ShaderInterface {
     }
 
     /// Where a range of an added text is written.
-    pub fn written(&self, base: u32, span: Span) -> Option<Place> {
+    pub fn written(&self, base: u32, span: Span) -> Option<ScriptPlace> {
         let range = span.start.checked_sub(base)? as usize..span.end.checked_sub(base)? as usize;
         let is_inside = range.end <= self.text.content.len();
         is_inside.then(|| self.text.place(range))?
@@ -177,13 +177,16 @@ impl ShaderInterface {
         let file = files.last().and_then(|id| sources.file(*id));
         let base = file.map_or(0, |f| f.base);
         let interface = Interface::of(program);
+        // A host may call another function.
+        let mut functions = program.functions.iter();
+        let has_main = functions.any(|f| program.names.text(f.name) == "main");
         let declared = |variable: &InterfaceVariable| {
             let span = program.token(variable.token)?.span;
-            Some(Declared {
+            Some(DeclaredInput {
                 name: program.names.text(variable.name).to_string(),
                 ty: variable.ty,
                 type_name: program.type_name(variable.ty),
-                is_active: variable.is_active,
+                is_active: variable.is_active || !has_main && variable.is_used,
                 location: variable.location,
                 place: self.written(base, span),
             })
@@ -208,7 +211,7 @@ impl ShaderInterface {
     }
 
     /// A uniform.
-    pub fn uniform(&self, name: &str) -> Option<&Declared> {
+    pub fn uniform(&self, name: &str) -> Option<&DeclaredInput> {
         self.uniforms.iter().find(|u| u.name == name)
     }
 
@@ -223,7 +226,7 @@ impl ShaderInterface {
     }
 
     /// The last argument of the only `gl_FragColor = vec4(..., alpha)`, if it depends on something.
-    pub fn alpha(&self) -> Option<(&str, Option<Place>)> {
+    pub fn alpha(&self) -> Option<(&str, Option<ScriptPlace>)> {
         let text = self.text.content.as_str();
         let mut all = text.match_indices("gl_FragColor");
         let (start, _) = all.next().filter(|_| all.next().is_none())?;
@@ -332,21 +335,21 @@ impl Stages {
     }
 
     /// A uniform; one that is used if a stage uses it.
-    pub fn uniform(&self, name: &str) -> Option<&Declared> {
+    pub fn uniform(&self, name: &str) -> Option<&DeclaredInput> {
         let found = || self.all().filter_map(|s| s.uniform(name));
         found().find(|u| u.is_active).or_else(|| found().next())
     }
 
     /// The layout of a block, and where it is declared.
-    pub fn block(&self, name: &str) -> Option<(&BlockLayout, Option<Place>)> {
+    pub fn block(&self, name: &str) -> Option<(&BlockLayout, Option<ScriptPlace>)> {
         let mut all = self.all().flat_map(|s| &s.blocks);
         let (_, layout, place) = all.find(|(own, _, _)| own == name)?;
         Some((layout, *place))
     }
 
     /// The uniforms that the browser keeps, each once.
-    pub fn active_uniforms(&self) -> Vec<&Declared> {
-        let mut found: Vec<&Declared> = Vec::new();
+    pub fn active_uniforms(&self) -> Vec<&DeclaredInput> {
+        let mut found: Vec<&DeclaredInput> = Vec::new();
         for uniform in self.all().flat_map(|s| &s.uniforms).filter(|u| u.is_active) {
             if !found.iter().any(|known| known.name == uniform.name) {
                 found.push(uniform);

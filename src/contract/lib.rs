@@ -18,6 +18,7 @@ mod targets;
 mod webgl;
 
 pub use breach::Breach;
+pub use library::may_make_programs;
 use shaderlint_script::{Loader, World, evaluate};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -42,10 +43,11 @@ pub fn check(
 fn read(world: &World, release: Option<u32>) -> Contract {
     let mut breaches = Vec::new();
     if !world.is_cut {
-        materials::check(world, &mut breaches);
+        let materials = materials::check(world, &mut breaches);
+        feeds::check(world, &materials, &mut breaches);
         webgl::check(world, &mut breaches);
         patches::check(world, release, &mut breaches);
-        targets::check(world, &mut breaches);
+        targets::check(world, &materials, &mut breaches);
     }
     breaches.sort_by(|a, b| (a.place, a.rule, &a.message).cmp(&(b.place, b.rule, &b.message)));
     breaches.dedup_by(|a, b| a.place == b.place && a.rule == b.rule);

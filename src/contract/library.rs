@@ -1,6 +1,6 @@
 //! What libraries call things: the table in `libraries.txt`.
 
-use shaderlint_script::{Call, ObjectId, ObjectKind, Source, Value, World};
+use shaderlint_script::{ForeignCall, ObjectId, ObjectKind, ScriptValue, Source, World};
 use std::sync::OnceLock;
 
 /// How the values of uniforms are written.
@@ -37,6 +37,8 @@ pub struct Maker {
     pub copies: bool,
     /// Uniforms and attributes that the library sets; a trailing `*` matches any suffix.
     pub gives: Vec<String>,
+    /// Whether it sets default precisions before a shader.
+    pub is_precise: bool,
     /// A uniform without which it does nothing.
     pub requires: Option<String>,
     /// The function that sets uniforms: `setUniform(name, value)`, or with an object of values.
@@ -45,18 +47,18 @@ pub struct Maker {
     pub store: String,
     /// The path of the list of names.
     pub listed: Vec<String>,
+    /// Whether it is also the global function of its name.
+    pub is_global: bool,
     /// Whether only listed uniforms can be set.
     pub is_limited: bool,
 }
 
 impl Maker {
-    /// The lines that the library puts before a shader: three.js sets default precisions.
+    /// The lines that the library puts before a shader.
     pub fn before(&self) -> &'static str {
-        match self.library.as_str() {
-            "three" if self.name != "RawShaderMaterial" && self.name != "rawShaderMaterial" => {
-                "precision highp float;\nprecision highp int;\n"
-            }
-            _ => "",
+        match self.is_precise {
+            true => "precision highp float;\nprecision highp int;\n",
+            false => "",
         }
     }
 
@@ -84,99 +86,193 @@ fn matches(pattern: &str, name: &str) -> bool {
     }
 }
 
-/// The names that three.js declares or sets in all its materials.
-pub fn given_by_three(name: &str) -> bool {
-    makers()
-        .iter()
-        .find(|m| m.library == "three")
-        .is_some_and(|m| m.gives(name))
+/// A class for attributes.
+#[derive(Debug)]
+pub struct GeometryClass {
+    /// A word of the names of its packages.
+    pub library: String,
+    name: String,
+    /// What it feeds.
+    pub kind: GeometryKind,
+}
+
+/// What a class for attributes feeds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum GeometryKind {
+    /// What is added.
+    Empty,
+    /// What is added, and others.
+    Open,
+    /// What shapes have.
+    Shape,
+    /// What an argument holds.
+    Object,
+}
+
+/// The table.
+#[derive(Debug, Default)]
+struct LibraryTable {
+    makers: Vec<Maker>,
+    geometries: Vec<GeometryClass>,
+    /// The attributes that shapes have.
+    shapes: Vec<String>,
+    patched: String,
+    signs: Vec<String>,
+}
+
+fn table() -> &'static LibraryTable {
+    static TABLE: OnceLock<LibraryTable> = OnceLock::new();
+    TABLE.get_or_init(|| read(include_str!("libraries.txt")))
+}
+
+/// Whether a script may make programs of shaders.
+pub fn may_make_programs(script: &str) -> bool {
+    table().signs.iter().any(|sign| script.contains(sign))
+}
+
+/// Whether the shaders of materials that are patched declare a name.
+pub fn is_given_to_patches(name: &str) -> bool {
+    let all = &table().makers;
+    let maker = all.iter().find(|m| m.library == table().patched);
+    maker.is_some_and(|m| m.gives(name))
+}
+
+/// The attributes that shapes have.
+pub fn attributes_of_shapes() -> &'static [String] {
+    &table().shapes
+}
+
+/// The kind of a class for attributes.
+pub fn geometry_kind(origin: &LibraryExport) -> Option<GeometryKind> {
+    let mut all = table().geometries.iter();
+    let found = all.find(|class| {
+        let is_it = match class.name.strip_prefix('*') {
+            Some(end) => origin.name.ends_with(end),
+            None => origin.name == class.name,
+        };
+        is_it && origin.is_of(&class.library)
+    });
+    found.map(|class| class.kind)
 }
 
 /// All makers.
 pub fn makers() -> &'static [Maker] {
-    static MAKERS: OnceLock<Vec<Maker>> = OnceLock::new();
-    MAKERS.get_or_init(|| read(include_str!("libraries.txt")))
+    &table().makers
 }
 
-fn read(table: &str) -> Vec<Maker> {
+fn read(table: &str) -> LibraryTable {
     let mut gives: Vec<String> = Vec::new();
-    let mut found = Vec::new();
+    let mut found = LibraryTable::default();
     for line in table.lines().map(str::trim) {
         let mut words = line.split_whitespace();
         let (Some(library), false) = (words.next(), line.starts_with('#')) else {
             continue;
         };
-        // The names that the makers after it set.
-        if library == "gives" {
-            gives = words.map(str::to_string).collect();
-            continue;
+        let mut rest = || words.by_ref().map(str::to_string).collect::<Vec<String>>();
+        match library {
+            // The names that the makers after it set.
+            "gives" => gives = rest(),
+            "signs" => found.signs = rest(),
+            "shapes" => found.shapes = rest(),
+            "patched" => found.patched = rest().concat(),
+            "geometry" => found.geometries.extend(read_geometry(&rest())),
+            _ => found.makers.push(read_maker(library, &gives, words)),
         }
-        let mut maker = Maker {
-            library: library.to_string(),
-            name: words.next().unwrap_or("").to_string(),
-            stages: Default::default(),
-            uniforms: Vec::new(),
-            attributes: Vec::new(),
-            defines: Vec::new(),
-            boxing: Boxing::Plain,
-            copies: false,
-            gives: gives.clone(),
-            requires: None,
-            setter: String::new(),
-            store: String::new(),
-            listed: Vec::new(),
-            is_limited: false,
-        };
-        for word in words {
-            let (key, value) = word.split_once('=').unwrap_or((word, ""));
-            let path = || value.split('.').map(str::to_string).collect();
-            match key {
-                "vertex" => maker.stages[0] = path(),
-                "fragment" => maker.stages[1] = path(),
-                "uniforms" => maker.uniforms = path(),
-                "attributes" => maker.attributes = path(),
-                "defines" => maker.defines = path(),
-                "requires" => maker.requires = Some(value.to_string()),
-                "boxed" => maker.boxing = Boxing::Boxed,
-                "named" => maker.boxing = Boxing::Named,
-                "grouped" => maker.boxing = Boxing::Grouped,
-                "copies" => maker.copies = true,
-                "bare" => maker.gives.clear(),
-                "setter" => maker.setter = value.to_string(),
-                "store" => maker.store = value.to_string(),
-                "listed" => maker.listed = path(),
-                "limited" => maker.is_limited = true,
-                _ => {}
-            }
-        }
-        found.push(maker);
     }
     found
 }
 
+fn read_geometry(words: &[String]) -> Option<GeometryClass> {
+    let [library, name, kind] = words else {
+        return None;
+    };
+    Some(GeometryClass {
+        library: library.clone(),
+        name: name.clone(),
+        kind: match kind.as_str() {
+            "empty" => GeometryKind::Empty,
+            "shape" => GeometryKind::Shape,
+            "object" => GeometryKind::Object,
+            _ => GeometryKind::Open,
+        },
+    })
+}
+
+fn read_maker<'t>(
+    library: &str,
+    gives: &[String],
+    mut words: impl Iterator<Item = &'t str>,
+) -> Maker {
+    let mut maker = Maker {
+        library: library.to_string(),
+        name: words.next().unwrap_or("").to_string(),
+        stages: Default::default(),
+        uniforms: Vec::new(),
+        attributes: Vec::new(),
+        defines: Vec::new(),
+        boxing: Boxing::Plain,
+        copies: false,
+        gives: gives.to_vec(),
+        is_precise: false,
+        requires: None,
+        setter: String::new(),
+        store: String::new(),
+        listed: Vec::new(),
+        is_limited: false,
+        is_global: false,
+    };
+    for word in words {
+        let (key, value) = word.split_once('=').unwrap_or((word, ""));
+        let path = || value.split('.').map(str::to_string).collect();
+        match key {
+            "vertex" => maker.stages[0] = path(),
+            "fragment" => maker.stages[1] = path(),
+            "uniforms" => maker.uniforms = path(),
+            "attributes" => maker.attributes = path(),
+            "defines" => maker.defines = path(),
+            "requires" => maker.requires = Some(value.to_string()),
+            "boxed" => maker.boxing = Boxing::Boxed,
+            "named" => maker.boxing = Boxing::Named,
+            "grouped" => maker.boxing = Boxing::Grouped,
+            "copies" => maker.copies = true,
+            "precise" => maker.is_precise = true,
+            "bare" => maker.gives.clear(),
+            "setter" => maker.setter = value.to_string(),
+            "store" => maker.store = value.to_string(),
+            "listed" => maker.listed = path(),
+            "limited" => maker.is_limited = true,
+            "global" => maker.is_global = true,
+            _ => {}
+        }
+    }
+    maker
+}
+
 /// The library and the name of a value that comes from outside of the program.
-pub struct Origin<'w> {
+pub struct LibraryExport<'w> {
     /// The path of the package, or the global name of the library.
     pub library: &'w str,
     /// The name of its export.
     pub name: &'w str,
 }
 
-impl<'w> Origin<'w> {
+impl<'w> LibraryExport<'w> {
     /// Where a function comes from.
-    pub fn of(world: &'w World, callee: Option<ObjectId>) -> Option<Origin<'w>> {
+    pub fn of(world: &'w World, callee: Option<ObjectId>) -> Option<LibraryExport<'w>> {
         let id = callee?;
         if let Some((library, name)) = world.export_of(id) {
-            return Some(Origin { library, name });
+            return Some(LibraryExport { library, name });
         }
         match &world.object(id)?.kind {
             ObjectKind::Foreign(Source::Member(object, name)) => {
                 match &world.object(*object)?.kind {
-                    ObjectKind::Foreign(Source::Global(library)) => Some(Origin { library, name }),
+                    ObjectKind::Foreign(Source::Global(library)) => {
+                        Some(LibraryExport { library, name })
+                    }
                     _ => None,
                 }
             }
-            ObjectKind::Foreign(Source::Global(name)) => Some(Origin { library: "", name }),
+            ObjectKind::Foreign(Source::Global(name)) => Some(LibraryExport { library: "", name }),
             _ => None,
         }
     }
@@ -192,10 +288,10 @@ impl<'w> Origin<'w> {
 }
 
 /// The maker that a call calls.
-pub fn maker_of(world: &World, call: &Call) -> Option<&'static Maker> {
+pub fn maker_of(world: &World, call: &ForeignCall) -> Option<&'static Maker> {
     // The elements of a renderer of React.
     let is_element = call.is_new && call.callee.is_none();
-    let origin = Origin::of(world, call.callee);
+    let origin = LibraryExport::of(world, call.callee);
     let mut all = makers().iter().filter(|maker| match maker.name.as_str() {
         name if is_element => *name == *call.name && name.starts_with(|c: char| c.is_lowercase()),
         "(call)" => made_by(world, call.callee).is_some_and(|o| o.is_of(&maker.library)),
@@ -203,27 +299,31 @@ pub fn maker_of(world: &World, call: &Call) -> Option<&'static Maker> {
             let own = origin.as_ref().is_some_and(|o| {
                 o.is_of(&maker.library) && (*name == *call.name || *name == *o.name)
             });
+            let is_global = maker.is_global
+                && origin
+                    .as_ref()
+                    .is_some_and(|o| o.library.is_empty() && o.name == name);
             let is_method = name
                 .strip_prefix('.')
                 .is_some_and(|method| *method == *call.name);
-            own || is_method && !call.is_new
+            own || is_global || is_method && !call.is_new
         }
     });
     all.find(|maker| {
         let stages = maker.stages.iter().filter(|path| !path.is_empty());
         let mut found = stages.map(|path| at(world, call, path));
-        found.any(|value| matches!(value, Some(Value::Text(_))))
+        found.any(|value| matches!(value, Some(ScriptValue::Text(_))))
     })
 }
 
 /// The library whose export was called to make a value: `regl` in `const regl = createREGL()`.
-fn made_by<'w>(world: &'w World, callee: Option<ObjectId>) -> Option<Origin<'w>> {
+fn made_by<'w>(world: &'w World, callee: Option<ObjectId>) -> Option<LibraryExport<'w>> {
     let call = world.call_of(callee?)?;
-    Origin::of(world, call.callee)
+    LibraryExport::of(world, call.callee)
 }
 
 /// The value at a path in the arguments of a call.
-pub fn at(world: &World, call: &Call, path: &[String]) -> Option<Value> {
+pub fn at(world: &World, call: &ForeignCall, path: &[String]) -> Option<ScriptValue> {
     let (first, rest) = path.split_first()?;
     let index: usize = first.parse().ok()?;
     let mut value = call.arguments.get(index)?.0.clone();

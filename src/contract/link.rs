@@ -3,13 +3,13 @@
 use crate::breach::Breach;
 use crate::interface::{Stages, compile};
 use shaderlint_explain::link::link;
-use shaderlint_script::Place;
+use shaderlint_script::ScriptPlace;
 use shaderlint_semantic::{CheckedShader, Stage};
 use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
 /// Adds the errors of linking both stages.
-pub fn check(stages: &Stages, place: Place, found: &mut Vec<Breach>) {
+pub fn check(stages: &Stages, place: ScriptPlace, found: &mut Vec<Breach>) {
     let (Some(vertex), Some(fragment)) = (&stages.vertex, &stages.fragment) else {
         return;
     };

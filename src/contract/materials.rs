@@ -8,13 +8,13 @@ mod screen;
 mod values;
 
 use crate::breach::Breach;
-use crate::feeds;
-use crate::interface::{Declared, ShaderInterface, Stages};
+use crate::interface::{DeclaredInput, ShaderInterface, Stages};
 use crate::library::{Boxing, Maker, at, maker_of};
 use crate::link;
-use crate::shape::Shape;
+use crate::shape::ValueShape;
 use shaderlint_script::{
-    Call, Event, EventKind, ObjectId, ObjectKind, Place, ScriptText, Source, Value, World,
+    EventKind, ForeignCall, KnownText, ObjectId, ObjectKind, ScriptEvent, ScriptPlace, ScriptValue,
+    Source, World,
 };
 use shaderlint_semantic::Stage;
 use std::rc::Rc;
@@ -24,16 +24,16 @@ pub struct Material<'w> {
     /// What makes it.
     pub maker: &'static Maker,
     /// The call that makes it.
-    pub call: &'w Call,
+    pub call: &'w ForeignCall,
     /// Where it is made.
-    pub place: Place,
+    pub place: ScriptPlace,
     /// Its shaders.
     pub stages: Stages,
     /// The attributes that it is given itself.
-    pub attributes: Option<Value>,
+    pub attributes: Option<ScriptValue>,
     /// The object of the uniforms.
     uniforms: Option<ObjectId>,
-    keys: Vec<Key>,
+    keys: Vec<UniformKey>,
     /// Values that do not fit, found while the program was read.
     wrong: Vec<Breach>,
     /// Whether there may be other uniforms.
@@ -42,14 +42,14 @@ pub struct Material<'w> {
 
 /// A uniform that a script gives a value.
 #[derive(Clone)]
-struct Key {
+struct UniformKey {
     name: String,
-    value: Value,
-    place: Place,
+    value: ScriptValue,
+    place: ScriptPlace,
 }
 
 /// Adds what is wrong with the programs of libraries.
-pub fn check(world: &World, found: &mut Vec<Breach>) {
+pub fn check<'w>(world: &'w World, found: &mut Vec<Breach>) -> Vec<Material<'w>> {
     let materials = read(world);
     for material in &materials {
         // An object that other programs use too is for all of them.
@@ -67,11 +67,11 @@ pub fn check(world: &World, found: &mut Vec<Breach>) {
         material.check_missing(world, &others, found);
         material.check_accesses(world, &others, found);
     }
-    feeds::check(world, &materials, found);
+    materials
 }
 
 /// The programs that libraries make.
-pub fn read<'w>(world: &'w World) -> Vec<Material<'w>> {
+fn read<'w>(world: &'w World) -> Vec<Material<'w>> {
     world
         .events
         .iter()
@@ -79,7 +79,7 @@ pub fn read<'w>(world: &'w World) -> Vec<Material<'w>> {
         .collect()
 }
 
-fn material<'w>(world: &'w World, event: &'w Event) -> Option<Material<'w>> {
+fn material<'w>(world: &'w World, event: &'w ScriptEvent) -> Option<Material<'w>> {
     let EventKind::Call(call) = &event.kind else {
         return None;
     };
@@ -88,7 +88,7 @@ fn material<'w>(world: &'w World, event: &'w Event) -> Option<Material<'w>> {
     let stage = |index: usize, stage: Stage| {
         let path = maker.stages.get(index).filter(|path| !path.is_empty())?;
         match at(world, call, path)? {
-            Value::Text(text) => {
+            ScriptValue::Text(text) => {
                 let text = match maker.store.is_empty() {
                     true => text,
                     false => stored(world, &text.content, stage)?,
@@ -113,7 +113,7 @@ fn material<'w>(world: &'w World, event: &'w Event) -> Option<Material<'w>> {
         place: event.place,
         stages,
         attributes: at(world, call, &maker.attributes),
-        uniforms: given.as_ref().and_then(Value::object),
+        uniforms: given.as_ref().and_then(ScriptValue::object),
         keys: Vec::new(),
         wrong: Vec::new(),
         is_open: call.is_open,
@@ -138,7 +138,7 @@ fn material<'w>(world: &'w World, event: &'w Event) -> Option<Material<'w>> {
 }
 
 /// A shader that a script stores under a name.
-fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<ScriptText>> {
+fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<KnownText>> {
     let ends: &[&str] = match stage {
         Stage::Vertex => &["VertexShader"],
         Stage::Fragment => &["FragmentShader", "PixelShader"],
@@ -150,7 +150,7 @@ fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<ScriptText>> {
         .find_map(|event| match &event.kind {
             EventKind::Write {
                 key: Some(key),
-                value: Value::Text(text),
+                value: ScriptValue::Text(text),
                 ..
             } => {
                 let end = key.strip_prefix(name)?;
@@ -162,14 +162,14 @@ fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<ScriptText>> {
 }
 
 /// The macros that a script defines.
-fn macros(world: &World, call: &Call, maker: &Maker) -> Vec<(String, String)> {
+fn macros(world: &World, call: &ForeignCall, maker: &Maker) -> Vec<(String, String)> {
     let object = at(world, call, &maker.defines).and_then(|value| world.object(value.object()?));
     let properties = object.map_or(&[][..], |o| &o.properties);
     let macros = properties.iter().map(|p| {
         let value = match &p.value {
-            Value::Number(number) => number.to_string(),
-            Value::Text(text) => text.content.clone(),
-            Value::Bool(flag) => flag.to_string(),
+            ScriptValue::Number(number) => number.to_string(),
+            ScriptValue::Text(text) => text.content.clone(),
+            ScriptValue::Bool(flag) => flag.to_string(),
             _ => String::new(),
         };
         (p.key.to_string(), value)
@@ -179,12 +179,12 @@ fn macros(world: &World, call: &Call, maker: &Maker) -> Vec<(String, String)> {
 
 impl Material<'_> {
     /// The value of a uniform, and whether it is in an object that lacks `value`.
-    fn value<'v>(&self, world: &'v World, key: &'v Key) -> (Option<&'v Value>, bool) {
+    fn value<'v>(&self, world: &'v World, key: &'v UniformKey) -> (Option<&'v ScriptValue>, bool) {
         match self.maker.boxing {
             Boxing::Plain => (Some(&key.value), false),
             boxing => match &key.value {
-                Value::Undefined | Value::Null => (None, false),
-                Value::Object(id) => match world.object(*id).map(|o| &o.kind) {
+                ScriptValue::Undefined | ScriptValue::Null => (None, false),
+                ScriptValue::Object(id) => match world.object(*id).map(|o| &o.kind) {
                     Some(ObjectKind::Plain) => {
                         let value = world.get(&key.value, "value");
                         let is_open = world.object(*id).is_some_and(|o| o.is_open);
@@ -200,9 +200,11 @@ impl Material<'_> {
                                 (call.arguments.first().map(|(value, _)| value), false)
                             }
                             Some(_) => {
-                                let shape = Shape::of(world, &key.value);
-                                let is_value =
-                                    matches!(shape, Shape::Vector(..) | Shape::Matrix(..));
+                                let shape = ValueShape::of(world, &key.value);
+                                let is_value = matches!(
+                                    shape,
+                                    ValueShape::Vector(..) | ValueShape::Matrix(..)
+                                );
                                 (None, is_value && boxing != Boxing::Grouped)
                             }
                             None => (None, false),
@@ -217,14 +219,14 @@ impl Material<'_> {
     }
 
     /// Whether a uniform has a value of some kind.
-    pub fn reads(&self, world: &World, is: impl Fn(&Value) -> bool) -> bool {
+    pub fn reads(&self, world: &World, is: impl Fn(&ScriptValue) -> bool) -> bool {
         let constant = self.keys.iter().filter(|key| !self.is_written(world, key));
         let mut values = constant.filter_map(|key| self.value(world, key).0);
         values.any(is)
     }
 
     /// Whether the value of a uniform is set later.
-    fn is_written(&self, world: &World, key: &Key) -> bool {
+    fn is_written(&self, world: &World, key: &UniformKey) -> bool {
         world.events.iter().any(|event| match &event.kind {
             EventKind::Write {
                 object, key: of, ..
@@ -237,7 +239,7 @@ impl Material<'_> {
     }
 
     /// The uniform that a key is for.
-    fn declared(&self, name: &str) -> Option<&Declared> {
+    fn declared(&self, name: &str) -> Option<&DeclaredInput> {
         self.stages.uniform(name)
     }
 
@@ -280,7 +282,7 @@ impl Material<'_> {
             {
                 let is_other = call.result != self.call.result;
                 let uniforms = at(world, call, &self.maker.uniforms).filter(|_| is_other);
-                let has = |uniforms: &Value| {
+                let has = |uniforms: &ScriptValue| {
                     let object = uniforms.object().and_then(|id| world.object(id));
                     object.is_some_and(|o| o.is_open) || world.get(uniforms, name).is_some()
                 };
@@ -291,7 +293,7 @@ impl Material<'_> {
             EventKind::Call(call) => {
                 call.this == Some(self.call.result)
                     && call.arguments.iter().any(|(value, _)| match value {
-                        Value::Text(text) => text.is_open || text.content == name,
+                        ScriptValue::Text(text) => text.is_open || text.content == name,
                         _ => false,
                     })
             }

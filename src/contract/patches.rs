@@ -1,10 +1,11 @@
 //! Changes of the shaders of built-in materials: `onBeforeCompile`.
 
 use crate::breach::{Breach, nearest};
-use crate::library::given_by_three;
+use crate::library::is_given_to_patches;
 use shaderlint_host::{chunk_names, is_chunk, presets};
 use shaderlint_script::{
-    Call, EventKind, ObjectId, ObjectKind, Place, ScriptText, Source, Value, World,
+    EventKind, ForeignCall, KnownText, ObjectId, ObjectKind, ScriptPlace, ScriptValue, Source,
+    World,
 };
 use std::rc::Rc;
 
@@ -15,12 +16,12 @@ const STAGES: &[&str] = &["vertexShader", "fragmentShader"];
 struct Patch<'w> {
     /// The object that `onBeforeCompile` gets.
     shader: ObjectId,
-    call: &'w Call,
-    place: Place,
+    call: &'w ForeignCall,
+    place: ScriptPlace,
     /// What is searched.
-    pattern: &'w Rc<ScriptText>,
+    pattern: &'w Rc<KnownText>,
     /// What replaces it.
-    new: Option<&'w Rc<ScriptText>>,
+    new: Option<&'w Rc<KnownText>>,
 }
 
 /// Adds what is wrong with changes of built-in materials.
@@ -65,11 +66,11 @@ fn patches<'w>(world: &'w World) -> Vec<Patch<'w>> {
             world.object(shader)?.kind,
             ObjectKind::Foreign(Source::Unknown)
         );
-        let Value::Text(pattern) = &call.arguments.first()?.0 else {
+        let ScriptValue::Text(pattern) = &call.arguments.first()?.0 else {
             return None;
         };
         let new = call.arguments.get(1).and_then(|(value, _)| match value {
-            Value::Text(text) => Some(text),
+            ScriptValue::Text(text) => Some(text),
             _ => None,
         });
         is_parameter.then_some(Patch {
@@ -144,16 +145,16 @@ fn check_uniforms(world: &World, all: &[Patch], found: &mut Vec<Breach>) {
             continue;
         };
         let texts = || own().filter_map(|patch| patch.new);
-        let mut declared: Vec<(String, Option<Place>)> = Vec::new();
+        let mut declared: Vec<(String, Option<ScriptPlace>)> = Vec::new();
         for text in texts() {
             declared.extend(declarations(text));
         }
-        let strays: Vec<&(String, Place)> = uniforms
+        let strays: Vec<&(String, ScriptPlace)> = uniforms
             .iter()
             .filter(|(name, _)| !texts().any(|text| has_word(&text.content, name)))
             .collect();
         for (name, place) in &declared {
-            if uniforms.iter().any(|(set, _)| set == name) || given_by_three(name) {
+            if uniforms.iter().any(|(set, _)| set == name) || is_given_to_patches(name) {
                 continue;
             }
             let near = nearest(name, strays.iter().map(|(name, _)| name.as_str()));
@@ -175,12 +176,12 @@ fn check_uniforms(world: &World, all: &[Patch], found: &mut Vec<Breach>) {
 /// Checks that a uniform which a patch uses and the script sets is declared.
 fn check_used(
     own: &[&Patch],
-    uniforms: &[(String, Place)],
-    declared: &[(String, Option<Place>)],
+    uniforms: &[(String, ScriptPlace)],
+    declared: &[(String, Option<ScriptPlace>)],
     found: &mut Vec<Breach>,
 ) {
     for (name, place) in uniforms {
-        if declared.iter().any(|(known, _)| known == name) || given_by_three(name) {
+        if declared.iter().any(|(known, _)| known == name) || is_given_to_patches(name) {
             continue;
         }
         let using = own.iter().filter_map(|patch| patch.new).find_map(|text| {
@@ -201,7 +202,7 @@ fn check_used(
 }
 
 /// The uniforms that a script sets on a shader; `None` if others may be set.
-fn uniforms_of(world: &World, shader: ObjectId) -> Option<Vec<(String, Place)>> {
+fn uniforms_of(world: &World, shader: ObjectId) -> Option<Vec<(String, ScriptPlace)>> {
     let mut found = Vec::new();
     for event in &world.events {
         match &event.kind {
@@ -248,7 +249,7 @@ fn is_uniforms(world: &World, id: ObjectId, shader: ObjectId) -> bool {
 }
 
 /// The uniforms that a text declares, with the places of their names.
-fn declarations(text: &ScriptText) -> Vec<(String, Option<Place>)> {
+fn declarations(text: &KnownText) -> Vec<(String, Option<ScriptPlace>)> {
     let content = text.content.as_str();
     let mut found = Vec::new();
     for (at, _) in content.match_indices("uniform ") {

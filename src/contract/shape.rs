@@ -1,11 +1,11 @@
 //! The types of values that scripts set.
 
-use crate::library::Origin;
-use shaderlint_script::{ObjectKind, Primitive, Source, Value, World};
+use crate::library::LibraryExport;
+use shaderlint_script::{ObjectKind, Primitive, ScriptValue, Source, World};
 
 /// The type of a value, as far as a setter distinguishes it.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Shape {
+pub enum ValueShape {
     /// Not known, or nothing yet.
     Unknown,
     /// A number.
@@ -23,70 +23,74 @@ pub enum Shape {
     /// Numbers, and how many, if that is known.
     Numbers(Option<usize>),
     /// Values of one type.
-    List(usize, Box<Shape>),
+    List(usize, Box<ValueShape>),
     /// An object of the program with properties.
     Record,
 }
 
-impl Shape {
+impl ValueShape {
     /// The type of a value.
-    pub fn of(world: &World, value: &Value) -> Shape {
+    pub fn of(world: &World, value: &ScriptValue) -> ValueShape {
         match value.primitive() {
-            Some(Primitive::Number) => return Shape::Number,
-            Some(Primitive::Bool) => return Shape::Bool,
-            Some(Primitive::Text) => return Shape::Text,
+            Some(Primitive::Number) => return ValueShape::Number,
+            Some(Primitive::Bool) => return ValueShape::Bool,
+            Some(Primitive::Text) => return ValueShape::Text,
             None => {}
         }
         let Some(id) = value.object() else {
-            return Shape::Unknown;
+            return ValueShape::Unknown;
         };
         let Some(object) = world.object(id) else {
-            return Shape::Unknown;
+            return ValueShape::Unknown;
         };
         match &object.kind {
             ObjectKind::Array(elements) if object.is_open => match elements.first() {
-                Some(first) if Shape::of(world, first) == Shape::Number => Shape::Numbers(None),
-                _ => Shape::Unknown,
+                Some(first) if ValueShape::of(world, first) == ValueShape::Number => {
+                    ValueShape::Numbers(None)
+                }
+                _ => ValueShape::Unknown,
             },
-            ObjectKind::Array(elements) => Shape::of_elements(world, elements),
-            ObjectKind::Plain if !object.is_open => Shape::Record,
-            ObjectKind::Foreign(Source::Event(_)) => Shape::of_call(world, id),
+            ObjectKind::Array(elements) => ValueShape::of_elements(world, elements),
+            ObjectKind::Plain if !object.is_open => ValueShape::Record,
+            ObjectKind::Foreign(Source::Event(_)) => ValueShape::of_call(world, id),
             // `target.texture`
             ObjectKind::Foreign(Source::Member(target, name)) if &**name == "texture" => {
                 let call = world.call_of(*target).filter(|call| call.is_new);
                 match call {
-                    Some(_) => Shape::Texture,
-                    None => Shape::Unknown,
+                    Some(_) => ValueShape::Texture,
+                    None => ValueShape::Unknown,
                 }
             }
-            _ => Shape::Unknown,
+            _ => ValueShape::Unknown,
         }
     }
 
-    fn of_elements(world: &World, elements: &[Value]) -> Shape {
-        let mut shapes = elements.iter().map(|element| Shape::of(world, element));
+    fn of_elements(world: &World, elements: &[ScriptValue]) -> ValueShape {
+        let mut shapes = elements
+            .iter()
+            .map(|element| ValueShape::of(world, element));
         let Some(first) = shapes.next() else {
-            return Shape::Unknown;
+            return ValueShape::Unknown;
         };
         match shapes.all(|other| other == first) {
-            false => Shape::Unknown,
-            true if first == Shape::Number => Shape::Numbers(Some(elements.len())),
-            true => Shape::List(elements.len(), Box::new(first)),
+            false => ValueShape::Unknown,
+            true if first == ValueShape::Number => ValueShape::Numbers(Some(elements.len())),
+            true => ValueShape::List(elements.len(), Box::new(first)),
         }
     }
 
     /// The type of what a call makes: the names of classes for vectors are the same in all libraries.
-    fn of_call(world: &World, id: usize) -> Shape {
+    fn of_call(world: &World, id: usize) -> ValueShape {
         let Some(call) = world.call_of(id) else {
-            return Shape::Unknown;
+            return ValueShape::Unknown;
         };
         let name = &*call.name;
         if !call.is_new {
             let loads = call.this.and_then(|this| world.call_of(this));
             let is_loader = loads.is_some_and(|loader| loader.name.ends_with("TextureLoader"));
             return match name {
-                "load" if is_loader => Shape::Texture,
-                _ => Shape::Unknown,
+                "load" if is_loader => ValueShape::Texture,
+                _ => ValueShape::Unknown,
             };
         }
         if let Some(bytes) = name.strip_suffix("Array").filter(|_| name != "Array") {
@@ -102,59 +106,60 @@ impl Shape {
                 "Uint32",
             ];
             if is_typed.contains(&bytes) {
-                return Shape::Numbers(length(
+                return ValueShape::Numbers(length(
                     world,
                     call.arguments.first().map(|(value, _)| value),
                 ));
             }
         }
-        let origin = Origin::of(world, call.callee);
+        let origin = LibraryExport::of(world, call.callee);
         if origin.is_none() {
-            return Shape::Unknown;
+            return ValueShape::Unknown;
         }
         let digit = || name.chars().last().and_then(|c| c.to_digit(10));
         let is = |stem: &str| name.strip_suffix(|c: char| c.is_ascii_digit()) == Some(stem);
         match name {
-            "Quaternion" => Shape::Vector(4, name.to_string()),
-            "Color" | "Color3" => Shape::Vector(3, name.to_string()),
-            _ if is("Vector") || is("Vec") || is("Color") => {
-                digit().map_or(Shape::Unknown, |n| Shape::Vector(n, name.to_string()))
-            }
-            _ if is("Matrix") || is("Mat") => {
-                digit().map_or(Shape::Unknown, |n| Shape::Matrix(n, name.to_string()))
-            }
-            _ if name.ends_with("Texture") => Shape::Texture,
-            _ => Shape::Unknown,
+            "Quaternion" => ValueShape::Vector(4, name.to_string()),
+            "Color" | "Color3" => ValueShape::Vector(3, name.to_string()),
+            _ if is("Vector") || is("Vec") || is("Color") => digit()
+                .map_or(ValueShape::Unknown, |n| {
+                    ValueShape::Vector(n, name.to_string())
+                }),
+            _ if is("Matrix") || is("Mat") => digit().map_or(ValueShape::Unknown, |n| {
+                ValueShape::Matrix(n, name.to_string())
+            }),
+            _ if name.ends_with("Texture") => ValueShape::Texture,
+            _ => ValueShape::Unknown,
         }
     }
 
     /// The value in words.
     pub fn text(&self) -> String {
         match self {
-            Shape::Unknown => "a value".to_string(),
-            Shape::Number => "a number".to_string(),
-            Shape::Bool => "a boolean".to_string(),
-            Shape::Text => "a string".to_string(),
-            Shape::Vector(_, name) | Shape::Matrix(_, name) => format!("a `{name}`"),
-            Shape::Texture => "a texture".to_string(),
-            Shape::Numbers(Some(1)) => "one number".to_string(),
-            Shape::Numbers(Some(count)) => format!("{count} numbers"),
-            Shape::Numbers(None) => "numbers".to_string(),
-            Shape::List(1, of) => format!("an array of {}", of.text()),
-            Shape::List(count, of) => {
+            ValueShape::Unknown => "a value".to_string(),
+            ValueShape::Number => "a number".to_string(),
+            ValueShape::Bool => "a boolean".to_string(),
+            ValueShape::Text => "a string".to_string(),
+            ValueShape::Vector(_, name) | ValueShape::Matrix(_, name) => format!("a `{name}`"),
+            ValueShape::Texture => "a texture".to_string(),
+            ValueShape::Numbers(Some(1)) => "one number".to_string(),
+            ValueShape::Numbers(Some(count)) => format!("{count} numbers"),
+            ValueShape::Numbers(None) => "numbers".to_string(),
+            ValueShape::List(1, of) => format!("an array of {}", of.text()),
+            ValueShape::List(count, of) => {
                 let of = of.text();
                 let of = of.strip_prefix("a ").unwrap_or(&of).to_string();
                 format!("{count} values of type {of}")
             }
-            Shape::Record => "an object".to_string(),
+            ValueShape::Record => "an object".to_string(),
         }
     }
 }
 
 /// The number of elements of a typed array made from a value.
-pub fn length(world: &World, value: Option<&Value>) -> Option<usize> {
+pub fn length(world: &World, value: Option<&ScriptValue>) -> Option<usize> {
     match value? {
-        Value::Number(count) => Some(*count as usize),
-        value => world.elements(value).map(<[Value]>::len),
+        ScriptValue::Number(count) => Some(*count as usize),
+        value => world.elements(value).map(<[ScriptValue]>::len),
     }
 }

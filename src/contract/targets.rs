@@ -1,14 +1,15 @@
 //! Where programs draw: outputs, render targets and blending.
 
 use crate::breach::Breach;
-use crate::materials::{self, Material};
+use crate::materials::Material;
 use shaderlint_script::{
-    Call, Event, EventKind, ObjectId, ObjectKind, Place, Source, Value, World,
+    EventKind, ForeignCall, ObjectId, ObjectKind, ScriptEvent, ScriptPlace, ScriptValue, Source,
+    World,
 };
 
 /// Adds what is wrong with the targets of programs.
-pub fn check(world: &World, found: &mut Vec<Breach>) {
-    let calls: Vec<(&Call, &Event)> = world
+pub fn check(world: &World, materials: &[Material], found: &mut Vec<Breach>) {
+    let calls: Vec<(&ForeignCall, &ScriptEvent)> = world
         .events
         .iter()
         .filter_map(|event| match &event.kind {
@@ -18,13 +19,12 @@ pub fn check(world: &World, found: &mut Vec<Breach>) {
         .collect();
     check_extensions(world, &calls, found);
     check_draw_buffers(world, &calls, found);
-    let materials = materials::read(world);
-    check_targets(world, &calls, &materials, found);
-    check_blending(world, &calls, &materials, found);
+    check_targets(world, &calls, materials, found);
+    check_blending(world, &calls, materials, found);
 }
 
 /// A constant of WebGL.
-fn is_constant(world: &World, value: &Value, name: &str) -> bool {
+fn is_constant(world: &World, value: &ScriptValue, name: &str) -> bool {
     let object = value.object().and_then(|id| world.object(id));
     match object.map(|o| &o.kind) {
         Some(ObjectKind::Foreign(Source::Member(_, own))) => &**own == name,
@@ -40,7 +40,11 @@ const NEEDED: &[(&str, usize, &str, &str)] = &[
 ];
 
 /// Checks that a script of WebGL1 enables the extensions for what it does.
-fn check_extensions(world: &World, calls: &[(&Call, &Event)], found: &mut Vec<Breach>) {
+fn check_extensions(
+    world: &World,
+    calls: &[(&ForeignCall, &ScriptEvent)],
+    found: &mut Vec<Breach>,
+) {
     let contexts = calls.iter().filter(|(call, _)| &*call.name == "getContext");
     let kinds: Vec<Option<&str>> = contexts
         .map(|(call, _)| call.arguments.first().and_then(|(value, _)| value.text()))
@@ -86,19 +90,23 @@ fn fragment_data(text: &str) -> usize {
 }
 
 /// Checks that all outputs of the only program with several are drawn.
-fn check_draw_buffers(world: &World, calls: &[(&Call, &Event)], found: &mut Vec<Breach>) {
+fn check_draw_buffers(
+    world: &World,
+    calls: &[(&ForeignCall, &ScriptEvent)],
+    found: &mut Vec<Breach>,
+) {
     let texts = calls
         .iter()
         .filter(|(call, _)| &*call.name == "shaderSource");
     let outputs = texts.filter_map(|(call, _)| match call.arguments.get(1) {
-        Some((Value::Text(text), _)) => Some(fragment_data(&text.content)),
+        Some((ScriptValue::Text(text), _)) => Some(fragment_data(&text.content)),
         _ => None,
     });
     let needed = outputs.max().unwrap_or(0);
     let lists = calls
         .iter()
         .filter(|(call, _)| call.name.starts_with("drawBuffers"));
-    let lists: Vec<(usize, Place)> = lists
+    let lists: Vec<(usize, ScriptPlace)> = lists
         .filter_map(|(call, event)| {
             let all = world.elements(&call.arguments.first()?.0)?;
             Some((all.len(), event.place))
@@ -119,7 +127,7 @@ fn check_draw_buffers(world: &World, calls: &[(&Call, &Event)], found: &mut Vec<
 /// The materials of the meshes that are added to a scene.
 fn materials_of<'m>(
     world: &World,
-    calls: &[(&Call, &Event)],
+    calls: &[(&ForeignCall, &ScriptEvent)],
     scene: ObjectId,
     materials: &'m [Material],
 ) -> Vec<&'m Material<'m>> {
@@ -139,7 +147,7 @@ fn materials_of<'m>(
 }
 
 /// Whether a value is a texture of a target.
-fn is_texture_of(world: &World, value: &Value, target: ObjectId) -> bool {
+fn is_texture_of(world: &World, value: &ScriptValue, target: ObjectId) -> bool {
     let mut id = value.object();
     for _ in 0..3 {
         let Some(of) = id else { return false };
@@ -159,15 +167,15 @@ fn is_texture_of(world: &World, value: &Value, target: ObjectId) -> bool {
 /// Follows which scene is rendered to which target of three.js.
 fn check_targets(
     world: &World,
-    calls: &[(&Call, &Event)],
+    calls: &[(&ForeignCall, &ScriptEvent)],
     materials: &[Material],
     found: &mut Vec<Breach>,
 ) {
     let mut current: Option<ObjectId> = None;
-    let mut turn = 0;
+    let mut task = 0;
     for (call, event) in calls {
-        if event.turn != turn {
-            (current, turn) = (None, event.turn);
+        if event.task != task {
+            (current, task) = (None, event.task);
         }
         let first = call.arguments.first().and_then(|(value, _)| value.object());
         match &*call.name {
@@ -253,7 +261,7 @@ const BLENDING: &[&str] = &[
 /// Checks that the alpha of a material is used.
 fn check_blending(
     world: &World,
-    calls: &[(&Call, &Event)],
+    calls: &[(&ForeignCall, &ScriptEvent)],
     materials: &[Material],
     found: &mut Vec<Breach>,
 ) {
@@ -301,8 +309,7 @@ fn check_blending(
         let Some((alpha, place)) = alpha.filter(|_| !has && !later) else {
             continue;
         };
-        let message =
-            format!("the alpha `{alpha}` has no effect: the material is not `transparent`");
+        let message = format!("alpha `{alpha}` has no effect without `transparent: true`");
         let breach = Breach::new("render-target", material.place, message)
             .label(place, "written to `gl_FragColor` here")
             .help(Some("add `transparent: true`, or write 1.0".to_string()));

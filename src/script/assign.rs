@@ -1,15 +1,19 @@
 //! Assignments and patterns.
 
+use crate::branch::StatementEnd;
 use crate::evaluator::Evaluator;
-use crate::statement::Flow;
-use crate::value::{Primitive, Value};
+use crate::value::{Primitive, ScriptValue};
 use crate::world::{ObjectKind, ScopeId};
 use oxc_ast::ast as js;
 use oxc_span::GetSpan;
 use std::rc::Rc;
 
 impl<'a> Evaluator<'a, '_> {
-    pub fn assignment(&mut self, scope: ScopeId, it: &'a js::AssignmentExpression<'a>) -> Value {
+    pub fn assignment(
+        &mut self,
+        scope: ScopeId,
+        it: &'a js::AssignmentExpression<'a>,
+    ) -> ScriptValue {
         let value = match it.operator.to_binary_operator() {
             None if it.operator == js::AssignmentOperator::Assign => {
                 self.expression(scope, &it.right)
@@ -34,7 +38,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The value of what is assigned to.
-    fn target(&mut self, scope: ScopeId, it: &'a js::AssignmentTarget<'a>) -> Value {
+    fn target(&mut self, scope: ScopeId, it: &'a js::AssignmentTarget<'a>) -> ScriptValue {
         match it {
             js::AssignmentTarget::AssignmentTargetIdentifier(name) => {
                 self.name(scope, name.name.as_str(), self.place(name.span))
@@ -47,7 +51,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Assigns a value.
-    pub fn assign(&mut self, scope: ScopeId, it: &'a js::AssignmentTarget<'a>, value: Value) {
+    pub fn assign(&mut self, scope: ScopeId, it: &'a js::AssignmentTarget<'a>, value: ScriptValue) {
         match it {
             js::AssignmentTarget::AssignmentTargetIdentifier(name) => {
                 self.set_name(scope, name.name.as_str(), value);
@@ -96,7 +100,7 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         scope: ScopeId,
         it: &'a js::AssignmentTargetMaybeDefault<'a>,
-        value: Value,
+        value: ScriptValue,
     ) {
         match it {
             js::AssignmentTargetMaybeDefault::AssignmentTargetWithDefault(it) => {
@@ -115,17 +119,17 @@ impl<'a> Evaluator<'a, '_> {
     fn or_default(
         &mut self,
         scope: ScopeId,
-        value: Value,
+        value: ScriptValue,
         default: Option<&'a js::Expression<'a>>,
-    ) -> Value {
+    ) -> ScriptValue {
         match (&value, default) {
-            (Value::Undefined, Some(default)) => self.expression(scope, default),
-            (Value::Object(id), Some(default)) if self.world.is_foreign(*id) => {
+            (ScriptValue::Undefined, Some(default)) => self.expression(scope, default),
+            (ScriptValue::Object(id), Some(default)) if self.world.is_foreign(*id) => {
                 // An option that a caller may leave out.
-                let mut way = |e: &mut Self| (Flow::Next, e.expression(scope, default));
+                let mut way = |e: &mut Self| (StatementEnd::Next, e.expression(scope, default));
                 let (_, other) = self.ways(&mut [&mut way]);
                 match other.primitive() {
-                    Some(primitive) => Value::Any(primitive),
+                    Some(primitive) => ScriptValue::Any(primitive),
                     None => value,
                 }
             }
@@ -134,7 +138,12 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Declares the names of a pattern.
-    pub fn bind(&mut self, scope: ScopeId, pattern: &'a js::BindingPattern<'a>, value: Value) {
+    pub fn bind(
+        &mut self,
+        scope: ScopeId,
+        pattern: &'a js::BindingPattern<'a>,
+        value: ScriptValue,
+    ) {
         match pattern {
             js::BindingPattern::BindingIdentifier(name) => {
                 self.declare(scope, name.name.as_str(), value);
@@ -165,7 +174,7 @@ impl<'a> Evaluator<'a, '_> {
         self.missing = None;
     }
 
-    fn bind_object(&mut self, scope: ScopeId, it: &'a js::ObjectPattern<'a>, value: Value) {
+    fn bind_object(&mut self, scope: ScopeId, it: &'a js::ObjectPattern<'a>, value: ScriptValue) {
         let mut taken: Vec<Rc<str>> = Vec::new();
         for property in &it.properties {
             let key = self.property_key(scope, &property.key);
@@ -183,19 +192,19 @@ impl<'a> Evaluator<'a, '_> {
             if let Some(object) = self.world.objects.get_mut(id) {
                 object.properties.retain(|p| !taken.contains(&p.key));
             }
-            self.bind(scope, &rest.argument, Value::Object(id));
+            self.bind(scope, &rest.argument, ScriptValue::Object(id));
         }
     }
 
     /// `a++`
-    pub fn update(&mut self, scope: ScopeId, it: &'a js::UpdateExpression<'a>) -> Value {
+    pub fn update(&mut self, scope: ScopeId, it: &'a js::UpdateExpression<'a>) -> ScriptValue {
         let by = match it.operator {
             js::UpdateOperator::Increment => 1.0,
             js::UpdateOperator::Decrement => -1.0,
         };
-        let changed = |old: &Value| match old {
-            Value::Number(number) => Value::Number(number + by),
-            _ => Value::Any(Primitive::Number),
+        let changed = |old: &ScriptValue| match old {
+            ScriptValue::Number(number) => ScriptValue::Number(number + by),
+            _ => ScriptValue::Any(Primitive::Number),
         };
         match &it.argument {
             js::SimpleAssignmentTarget::AssignmentTargetIdentifier(name) => {
@@ -206,7 +215,7 @@ impl<'a> Evaluator<'a, '_> {
             }
             other => {
                 let Some(member) = other.as_member_expression() else {
-                    return Value::Any(Primitive::Number);
+                    return ScriptValue::Any(Primitive::Number);
                 };
                 let (object, old) = self.member_expression(scope, member);
                 let (key, place) = self.member_key(scope, member);
@@ -218,7 +227,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The elements of a value that is iterated, and whether there may be others.
-    pub fn iterated(&self, value: &Value) -> (Vec<Value>, bool) {
+    pub fn iterated(&self, value: &ScriptValue) -> (Vec<ScriptValue>, bool) {
         let object = value.object().and_then(|id| self.world.object(id));
         match object.map(|o| (&o.kind, o.is_open)) {
             Some((ObjectKind::Array(elements), is_open)) => (elements.clone(), is_open),
@@ -227,7 +236,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The names of the properties of a value, and whether there may be others.
-    pub fn keys(&mut self, value: &Value) -> (Vec<Value>, bool) {
+    pub fn keys(&mut self, value: &ScriptValue) -> (Vec<ScriptValue>, bool) {
         let object = value.object().and_then(|id| self.world.object(id));
         let Some(object) = object else {
             return (Vec::new(), true);
@@ -235,8 +244,8 @@ impl<'a> Evaluator<'a, '_> {
         match &object.kind {
             ObjectKind::Plain => {
                 let texts = object.properties.iter().map(|p| {
-                    let text = crate::ScriptText::written(&p.key, p.place);
-                    Value::Text(Rc::new(text))
+                    let text = crate::KnownText::written(&p.key, p.place);
+                    ScriptValue::Text(Rc::new(text))
                 });
                 (texts.collect(), object.is_open)
             }

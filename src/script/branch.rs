@@ -1,48 +1,69 @@
 //! Conditions that are not known: all branches are evaluated.
 
-use crate::evaluator::{Evaluator, Slot};
-use crate::statement::Flow;
-use crate::value::{Place, Primitive, ScriptText, Value};
-use crate::world::{Certainty, ObjectKind, Source};
+use crate::evaluator::{ChangedSlot, Evaluator};
+use crate::value::{KnownText, Primitive, ScriptPlace, ScriptValue};
+use crate::world::{EventCertainty, ObjectKind, Source};
 use std::rc::Rc;
 
+/// How a statement ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum StatementEnd {
+    /// The next statement follows.
+    Next,
+    /// A loop or `switch` ends.
+    Break,
+    /// The next iteration follows.
+    Continue,
+    /// The function returns.
+    Return,
+    /// An exception is thrown.
+    Throw,
+}
+
+impl StatementEnd {
+    pub fn ends_function(self) -> bool {
+        matches!(self, StatementEnd::Return | StatementEnd::Throw)
+    }
+}
+
 /// What is evaluated in a branch.
-pub(crate) type Way<'w, 'a, 'r> = &'w mut dyn FnMut(&mut Evaluator<'a, 'r>) -> (Flow, Value);
+pub(crate) type BranchCode<'w, 'a, 'r> =
+    &'w mut dyn FnMut(&mut Evaluator<'a, 'r>) -> (StatementEnd, ScriptValue);
 
 impl<'a, 'r> Evaluator<'a, 'r> {
     /// Evaluates all branches, each from the same state, and joins the states after them. A single way may also
     /// not be taken.
-    pub fn ways(&mut self, ways: &mut [Way<'_, 'a, 'r>]) -> (Flow, Value) {
+    pub fn ways(&mut self, ways: &mut [BranchCode<'_, 'a, 'r>]) -> (StatementEnd, ScriptValue) {
         let before = self.certainty;
         let is_single = ways.len() == 1;
-        let mut changes: Vec<Vec<(Slot<'a>, Option<Value>)>> = Vec::new();
-        let mut olds: Vec<(Slot<'a>, Option<Value>)> = Vec::new();
+        let mut changes: Vec<Vec<(ChangedSlot<'a>, Option<ScriptValue>)>> = Vec::new();
+        let mut olds: Vec<(ChangedSlot<'a>, Option<ScriptValue>)> = Vec::new();
         let mut flows = Vec::new();
-        let mut result: Option<Value> = None;
+        let mut result: Option<ScriptValue> = None;
         for way in ways.iter_mut() {
             self.certainty = before.max(match is_single {
-                true => Certainty::Guarded,
-                false => Certainty::Alternative,
+                true => EventCertainty::Guarded,
+                false => EventCertainty::Alternative,
             });
             self.logs.push(Vec::new());
             let first = self.world.events.len();
             let (flow, value) = way(self);
             // A way that ends the function is an alternative to everything after it.
-            if flow != Flow::Next && is_single {
+            if flow != StatementEnd::Next && is_single {
                 let events = self.world.events.get_mut(first..).into_iter().flatten();
-                events.for_each(|e| e.certainty = Certainty::Alternative);
+                events.for_each(|e| e.certainty = EventCertainty::Alternative);
             }
             let log = self.logs.pop().unwrap_or_default();
             let mut changed = Vec::new();
             for (slot, old) in log {
                 changed.push((slot.clone(), self.slot(&slot)));
-                self.put(&slot, old.clone(), Place::default());
+                self.put(&slot, old.clone(), ScriptPlace::default());
                 if !olds.iter().any(|(known, _)| *known == slot) {
                     olds.push((slot, old));
                 }
             }
             // What a way that ends changes is not seen after it.
-            if flow == Flow::Next {
+            if flow == StatementEnd::Next {
                 changes.push(changed);
                 result = Some(match result {
                     Some(other) => self.join(other, value),
@@ -57,54 +78,54 @@ impl<'a, 'r> Evaluator<'a, 'r> {
                 let new = changed.iter().find(|(known, _)| *known == slot);
                 new.map_or(old.clone(), |(_, value)| value.clone())
             });
-            let mut all: Vec<Option<Value>> = news.collect();
+            let mut all: Vec<Option<ScriptValue>> = news.collect();
             if is_single {
                 all.push(old.clone());
             }
-            let mut joined: Option<Value> = None;
+            let mut joined: Option<ScriptValue> = None;
             for value in all.into_iter().flatten() {
                 joined = Some(match joined {
                     Some(other) => self.join(other, value),
                     None => value,
                 });
             }
-            self.set(slot, joined.or(old), Place::default());
+            self.set(slot, joined.or(old), ScriptPlace::default());
         }
-        let first = flows.first().copied().unwrap_or(Flow::Next);
-        let is_end = !is_single && flows.iter().all(|f| *f != Flow::Next);
-        let flow = if is_end { first } else { Flow::Next };
-        (flow, result.unwrap_or(Value::Undefined))
+        let first = flows.first().copied().unwrap_or(StatementEnd::Next);
+        let is_end = !is_single && flows.iter().all(|f| *f != StatementEnd::Next);
+        let flow = if is_end { first } else { StatementEnd::Next };
+        (flow, result.unwrap_or(ScriptValue::Undefined))
     }
 
     /// A value that is one of two.
-    pub fn join(&mut self, one: Value, other: Value) -> Value {
+    pub fn join(&mut self, one: ScriptValue, other: ScriptValue) -> ScriptValue {
         if one.is_same(&other) {
             return one;
         }
         match (&one, &other) {
-            (Value::Undefined | Value::Null, _) => return other,
-            (_, Value::Undefined | Value::Null) => return one,
+            (ScriptValue::Undefined | ScriptValue::Null, _) => return other,
+            (_, ScriptValue::Undefined | ScriptValue::Null) => return one,
             _ => {}
         }
         match (one.primitive(), other.primitive()) {
             (Some(Primitive::Text), Some(Primitive::Text)) => {
-                Value::Text(Rc::new(ScriptText::unknown()))
+                ScriptValue::Text(Rc::new(KnownText::unknown()))
             }
-            (Some(a), Some(b)) if a == b => Value::Any(a),
-            _ => self.unknown(Place::default()),
+            (Some(a), Some(b)) if a == b => ScriptValue::Any(a),
+            _ => self.unknown(ScriptPlace::default()),
         }
     }
 
     /// Whether a value counts as true, if that is known.
-    pub fn truth(&self, value: &Value) -> Option<bool> {
+    pub fn truth(&self, value: &ScriptValue) -> Option<bool> {
         match value {
-            Value::Undefined | Value::Null => Some(false),
-            Value::Bool(flag) => Some(*flag),
-            Value::Number(number) => Some(*number != 0.0 && !number.is_nan()),
-            Value::Text(text) if text.content.is_empty() && text.is_open => None,
-            Value::Text(text) => Some(!text.content.is_empty()),
-            Value::Any(_) => None,
-            Value::Object(id) => match &self.world.object(*id)?.kind {
+            ScriptValue::Undefined | ScriptValue::Null => Some(false),
+            ScriptValue::Bool(flag) => Some(*flag),
+            ScriptValue::Number(number) => Some(*number != 0.0 && !number.is_nan()),
+            ScriptValue::Text(text) if text.content.is_empty() && text.is_open => None,
+            ScriptValue::Text(text) => Some(!text.content.is_empty()),
+            ScriptValue::Any(_) => None,
+            ScriptValue::Object(id) => match &self.world.object(*id)?.kind {
                 ObjectKind::Foreign(Source::Event(_)) => self
                     .world
                     .call_of(*id)
@@ -122,12 +143,12 @@ impl<'a, 'r> Evaluator<'a, 'r> {
     pub fn iterate(
         &mut self,
         step: &mut dyn FnMut(&mut Self) -> Option<bool>,
-        body: &mut dyn FnMut(&mut Self) -> Flow,
-    ) -> Flow {
+        body: &mut dyn FnMut(&mut Self) -> StatementEnd,
+    ) -> StatementEnd {
         /// Maximum number of iterations that are evaluated one by one.
         const MAX_ITERATIONS: usize = 40;
         self.logs.push(Vec::new());
-        let mut flow = Flow::Next;
+        let mut flow = StatementEnd::Next;
         let mut is_known = false;
         let mut has_run = false;
         for _ in 0..MAX_ITERATIONS {
@@ -136,7 +157,7 @@ impl<'a, 'r> Evaluator<'a, 'r> {
                 Some(true) => {
                     has_run = true;
                     flow = body(self);
-                    is_known = flow == Flow::Break || flow.ends_function();
+                    is_known = flow == StatementEnd::Break || flow.ends_function();
                 }
                 None => {
                     is_known = false;
@@ -159,13 +180,13 @@ impl<'a, 'r> Evaluator<'a, 'r> {
             return if flow.ends_function() {
                 flow
             } else {
-                Flow::Next
+                StatementEnd::Next
             };
         }
         // What an iteration changes is unknown before the next one.
         let mut once = |e: &mut Self| {
             step(e);
-            (body(e), Value::Undefined)
+            (body(e), ScriptValue::Undefined)
         };
         if !has_run {
             let (before, missing) = (self.world.events.len(), self.missing);
@@ -176,11 +197,11 @@ impl<'a, 'r> Evaluator<'a, 'r> {
             for (slot, old) in log {
                 if let (Some(new), Some(old)) = (self.slot(&slot), old) {
                     let joined = self.join(old, new);
-                    self.set(slot, Some(joined), Place::default());
+                    self.set(slot, Some(joined), ScriptPlace::default());
                 }
             }
         }
         self.ways(&mut [&mut once]);
-        Flow::Next
+        StatementEnd::Next
     }
 }

@@ -2,26 +2,26 @@
 
 use crate::call::Arguments;
 use crate::evaluator::Evaluator;
-use crate::value::{ObjectId, Place, Primitive, ScriptText, Value};
+use crate::value::{KnownText, ObjectId, Primitive, ScriptPlace, ScriptValue};
 use crate::world::{ObjectKind, Source};
 use std::rc::Rc;
 
 /// Maximum number of elements of an array that is made at once.
 const MAX_ELEMENTS: usize = 64;
 
-fn text(text: ScriptText) -> Value {
-    Value::Text(Rc::new(text))
+fn text(text: KnownText) -> ScriptValue {
+    ScriptValue::Text(Rc::new(text))
 }
 
 impl Evaluator<'_, '_> {
     /// The result of a method of the language; `None` if the object or the method is another.
     pub fn built_in(
         &mut self,
-        object: &Value,
+        object: &ScriptValue,
         name: &str,
         arguments: &Arguments,
-        place: Place,
-    ) -> Option<Value> {
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let first = arguments.0.first().map(|(value, _)| value.clone());
         if let Some(function) = self.own_function(first.as_ref())
             && name == "then"
@@ -29,18 +29,18 @@ impl Evaluator<'_, '_> {
         {
             return Some(self.run(
                 function,
-                Value::Undefined,
+                ScriptValue::Undefined,
                 vec![(object.clone(), place)],
                 place,
             ));
         }
         match object {
-            Value::Text(known) => self.text_method(known, name, arguments, place),
-            Value::Object(id) => match &self.world.object(*id)?.kind {
+            ScriptValue::Text(known) => self.text_method(known, name, arguments, place),
+            ScriptValue::Object(id) => match &self.world.object(*id)?.kind {
                 ObjectKind::Array(_) => self.array_method(*id, name, arguments, place),
                 ObjectKind::Function(_) => {
                     let rest = arguments.0.iter().skip(1).cloned().collect();
-                    let this = first.unwrap_or(Value::Undefined);
+                    let this = first.unwrap_or(ScriptValue::Undefined);
                     match name {
                         "call" => Some(self.run(*id, this, rest, place)),
                         "bind" => Some(object.clone()),
@@ -57,7 +57,7 @@ impl Evaluator<'_, '_> {
         }
     }
 
-    fn own_function(&self, value: Option<&Value>) -> Option<ObjectId> {
+    fn own_function(&self, value: Option<&ScriptValue>) -> Option<ObjectId> {
         value?.object().filter(|id| self.closure(*id).is_some())
     }
 
@@ -67,20 +67,20 @@ impl Evaluator<'_, '_> {
         global: &str,
         name: &str,
         (arguments, _): &Arguments,
-        place: Place,
-    ) -> Option<Value> {
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let first = arguments.first().map(|(value, _)| value.clone());
         match (global, name) {
             ("Math", _) | ("Date" | "performance", "now") | ("Number", _) => {
-                Some(Value::Any(Primitive::Number))
+                Some(ScriptValue::Any(Primitive::Number))
             }
             ("Array", "isArray") => {
                 let id = first?.object()?;
                 match self.world.is_foreign(id) {
-                    true => Some(Value::Any(Primitive::Bool)),
+                    true => Some(ScriptValue::Any(Primitive::Bool)),
                     false => {
                         let kind = &self.world.object(id)?.kind;
-                        Some(Value::Bool(matches!(kind, ObjectKind::Array(_))))
+                        Some(ScriptValue::Bool(matches!(kind, ObjectKind::Array(_))))
                     }
                 }
             }
@@ -104,7 +104,7 @@ impl Evaluator<'_, '_> {
                 let mut all = Vec::new();
                 for key in keys {
                     let value = self.world.get(&object, key.text()?).cloned();
-                    let value = value.unwrap_or(Value::Undefined);
+                    let value = value.unwrap_or(ScriptValue::Undefined);
                     all.push(match name {
                         "keys" => key,
                         "values" => value,
@@ -120,12 +120,12 @@ impl Evaluator<'_, '_> {
             ("Object", "fromEntries") => {
                 let (entries, is_open) = self.iterated(&first?);
                 let id = self.plain(place);
-                let object = Value::Object(id);
+                let object = ScriptValue::Object(id);
                 if is_open {
                     self.open(&object);
                 }
                 for entry in entries {
-                    let pair = self.world.elements(&entry).map(<[Value]>::to_vec);
+                    let pair = self.world.elements(&entry).map(<[ScriptValue]>::to_vec);
                     match pair.as_deref() {
                         Some([key, value]) if self.key(key).is_some() => {
                             let key = self.as_text(key);
@@ -142,7 +142,7 @@ impl Evaluator<'_, '_> {
     }
 
     /// Sets the properties of a value on another.
-    fn copy_to(&mut self, target: &Value, source: &Value) {
+    fn copy_to(&mut self, target: &ScriptValue, source: &ScriptValue) {
         let object = source.object().and_then(|id| self.world.object(id));
         let is_known = object.is_some_and(|o| matches!(o.kind, ObjectKind::Plain) && !o.is_open);
         let properties = object.map_or(Vec::new(), |o| o.properties.clone());
@@ -154,12 +154,19 @@ impl Evaluator<'_, '_> {
         }
     }
 
-    fn array_from(&mut self, arguments: &[(Value, Place)], place: Place) -> Option<Value> {
+    fn array_from(
+        &mut self,
+        arguments: &[(ScriptValue, ScriptPlace)],
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let (source, _) = arguments.first()?;
-        let length = self.world.get(source, "length").and_then(Value::number);
+        let length = self
+            .world
+            .get(source, "length")
+            .and_then(ScriptValue::number);
         let (elements, is_open) = match length {
             Some(length) if (length as usize) <= MAX_ELEMENTS => {
-                (vec![Value::Undefined; length as usize], false)
+                (vec![ScriptValue::Undefined; length as usize], false)
             }
             Some(_) => (Vec::new(), true),
             None => self.iterated(source),
@@ -178,14 +185,18 @@ impl Evaluator<'_, '_> {
     }
 
     /// `new Array(n)`
-    pub fn new_array(&mut self, (arguments, is_open): &Arguments, place: Place) -> Value {
+    pub fn new_array(
+        &mut self,
+        (arguments, is_open): &Arguments,
+        place: ScriptPlace,
+    ) -> ScriptValue {
         let length = match arguments.as_slice() {
-            [(Value::Number(n), _)] if *n >= 0.0 && (*n as usize) <= MAX_ELEMENTS => {
+            [(ScriptValue::Number(n), _)] if *n >= 0.0 && (*n as usize) <= MAX_ELEMENTS => {
                 Some(*n as usize)
             }
             _ => None,
         };
-        let array = self.array(vec![Value::Undefined; length.unwrap_or(0)], place);
+        let array = self.array(vec![ScriptValue::Undefined; length.unwrap_or(0)], place);
         if length.is_none() || *is_open {
             self.open(&array);
         }
@@ -197,9 +208,9 @@ impl Evaluator<'_, '_> {
         id: ObjectId,
         name: &str,
         arguments: &Arguments,
-        place: Place,
-    ) -> Option<Value> {
-        let array = Value::Object(id);
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
+        let array = ScriptValue::Object(id);
         let (elements, is_open) = self.iterated(&array);
         let first = arguments.0.first().map(|(value, _)| value.clone());
         match name {
@@ -222,7 +233,9 @@ impl Evaluator<'_, '_> {
                         }
                     }
                     ("slice", None) => {}
-                    ("slice", Some(Value::Number(n))) if n >= 0.0 && arguments.0.len() == 1 => {
+                    ("slice", Some(ScriptValue::Number(n)))
+                        if n >= 0.0 && arguments.0.len() == 1 =>
+                    {
                         all.drain(..(n as usize).min(all.len()));
                     }
                     _ => has_more = true,
@@ -235,8 +248,8 @@ impl Evaluator<'_, '_> {
             }
             "join" => {
                 let separator =
-                    first.map_or(ScriptText::made(",".to_string()), |v| self.as_text(&v));
-                let mut joined = ScriptText::default();
+                    first.map_or(KnownText::made(",".to_string()), |v| self.as_text(&v));
+                let mut joined = KnownText::default();
                 joined.is_open = is_open;
                 for (index, element) in elements.iter().enumerate() {
                     if index > 0 {
@@ -250,7 +263,7 @@ impl Evaluator<'_, '_> {
                 let pairs = elements.into_iter().enumerate();
                 let pairs = pairs
                     .map(|(index, value)| {
-                        self.array(vec![Value::Number(index as f64), value], place)
+                        self.array(vec![ScriptValue::Number(index as f64), value], place)
                     })
                     .collect();
                 let array = self.array(pairs, place);
@@ -260,15 +273,20 @@ impl Evaluator<'_, '_> {
                 Some(array)
             }
             "values" => Some(array),
-            "includes" => Some(Value::Any(Primitive::Bool)),
-            "indexOf" | "findIndex" => Some(Value::Any(Primitive::Number)),
+            "includes" => Some(ScriptValue::Any(Primitive::Bool)),
+            "indexOf" | "findIndex" => Some(ScriptValue::Any(Primitive::Number)),
             _ => None,
         }
     }
 
     /// A method that changes an array.
-    fn change_array(&mut self, id: ObjectId, name: &str, arguments: &Arguments) -> Option<Value> {
-        let array = Value::Object(id);
+    fn change_array(
+        &mut self,
+        id: ObjectId,
+        name: &str,
+        arguments: &Arguments,
+    ) -> Option<ScriptValue> {
+        let array = ScriptValue::Object(id);
         let is_shared = !self.logs.is_empty();
         let Some(ObjectKind::Array(own)) = self.world.objects.get_mut(id).map(|o| &mut o.kind)
         else {
@@ -292,13 +310,13 @@ impl Evaluator<'_, '_> {
         &mut self,
         name: &str,
         function: ObjectId,
-        (elements, is_open): (Vec<Value>, bool),
-        place: Place,
-    ) -> Option<Value> {
+        (elements, is_open): (Vec<ScriptValue>, bool),
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let is_long = elements.len() > MAX_ELEMENTS;
         let mut results = Vec::new();
         for (index, element) in elements.into_iter().take(MAX_ELEMENTS).enumerate() {
-            let index = Value::Number(index as f64);
+            let index = ScriptValue::Number(index as f64);
             let arguments = match name {
                 "reduce" => vec![
                     (self.unknown(place), place),
@@ -307,7 +325,7 @@ impl Evaluator<'_, '_> {
                 ],
                 _ => vec![(element, place), (index, place)],
             };
-            results.push(self.run(function, Value::Undefined, arguments, place));
+            results.push(self.run(function, ScriptValue::Undefined, arguments, place));
         }
         if is_open {
             self.once_for_others(function);
@@ -320,8 +338,8 @@ impl Evaluator<'_, '_> {
                 }
                 Some(array)
             }
-            "forEach" => Some(Value::Undefined),
-            "some" | "every" => Some(Value::Any(Primitive::Bool)),
+            "forEach" => Some(ScriptValue::Undefined),
+            "some" | "every" => Some(ScriptValue::Any(Primitive::Bool)),
             "find" | "reduce" => Some(self.unknown(place)),
             _ => {
                 let array = self.array(Vec::new(), place);
@@ -333,11 +351,11 @@ impl Evaluator<'_, '_> {
 
     fn text_method(
         &mut self,
-        known: &Rc<ScriptText>,
+        known: &Rc<KnownText>,
         name: &str,
         (arguments, _): &Arguments,
-        place: Place,
-    ) -> Option<Value> {
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let argument = |index: usize| arguments.get(index).map(|(value, _)| value);
         let content = &known.content;
         match name {
@@ -361,7 +379,7 @@ impl Evaluator<'_, '_> {
                 Some(text(all))
             }
             "split" => {
-                let separator = argument(0).and_then(Value::text)?;
+                let separator = argument(0).and_then(ScriptValue::text)?;
                 let mut parts = Vec::new();
                 let mut from = 0;
                 for (at, _) in content
@@ -380,19 +398,19 @@ impl Evaluator<'_, '_> {
             }
             "toString" | "toLowerCase" | "toUpperCase" | "slice" | "substring" | "substr"
             | "padStart" | "repeat" => match name {
-                "toString" => Some(Value::Text(known.clone())),
-                _ => Some(text(ScriptText::unknown())),
+                "toString" => Some(ScriptValue::Text(known.clone())),
+                _ => Some(text(KnownText::unknown())),
             },
             "startsWith" | "includes" | "endsWith" => {
-                let word = argument(0).and_then(Value::text)?;
+                let word = argument(0).and_then(ScriptValue::text)?;
                 let has = match name {
                     "startsWith" => content.starts_with(word),
                     "endsWith" => content.ends_with(word),
                     _ => content.contains(word),
                 };
                 Some(match known.is_open {
-                    true => Value::Any(Primitive::Bool),
-                    false => Value::Bool(has),
+                    true => ScriptValue::Any(Primitive::Bool),
+                    false => ScriptValue::Bool(has),
                 })
             }
             _ => None,
@@ -402,21 +420,23 @@ impl Evaluator<'_, '_> {
     /// A text with parts replaced.
     fn replaced(
         &mut self,
-        known: &ScriptText,
+        known: &KnownText,
         name: &str,
-        arguments: &[(Value, Place)],
-    ) -> Option<Value> {
+        arguments: &[(ScriptValue, ScriptPlace)],
+    ) -> Option<ScriptValue> {
         let argument = |index: usize| arguments.get(index).map(|(value, _)| value);
         let to = argument(1);
         if let Some(function) = self.own_function(to) {
             self.run_unknown(function, None);
         }
-        let (Some(from), Some(Value::Text(to))) = (argument(0).and_then(Value::text), to) else {
+        let (Some(from), Some(ScriptValue::Text(to))) =
+            (argument(0).and_then(ScriptValue::text), to)
+        else {
             let mut open = known.clone();
             open.is_open = true;
             return Some(text(open));
         };
-        let mut result = ScriptText::default();
+        let mut result = KnownText::default();
         let mut rest = 0;
         let limit = if name == "replace" { 1 } else { usize::MAX };
         for (at, _) in known.content.match_indices(from).take(limit) {
@@ -433,8 +453,8 @@ impl Evaluator<'_, '_> {
         &mut self,
         callee: ObjectId,
         (arguments, is_open): &Arguments,
-        place: Place,
-    ) -> Option<Value> {
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let first = arguments.first().map(|(value, _)| value.clone());
         let (source, name) = match &self.world.object(callee)?.kind {
             ObjectKind::Foreign(Source::Global(name)) => ("", name.clone()),
@@ -456,30 +476,35 @@ impl Evaluator<'_, '_> {
             _ => return None,
         };
         match (source, &*name) {
-            ("", "Number" | "parseFloat" | "parseInt") => Some(Value::Any(Primitive::Number)),
+            ("", "Number" | "parseFloat" | "parseInt") => Some(ScriptValue::Any(Primitive::Number)),
             ("", "String") => Some(text(
-                first.map_or(ScriptText::unknown(), |v| self.as_text(&v)),
+                first.map_or(KnownText::unknown(), |v| self.as_text(&v)),
             )),
-            ("", "Boolean" | "isNaN") => Some(Value::Any(Primitive::Bool)),
+            ("", "Boolean" | "isNaN") => Some(ScriptValue::Any(Primitive::Bool)),
             ("", "Array") => Some(self.new_array(&(arguments.clone(), *is_open), place)),
             ("react", "useMemo") => {
                 let function = self.own_function(first.as_ref())?;
-                Some(self.run(function, Value::Undefined, Vec::new(), place))
+                Some(self.run(function, ScriptValue::Undefined, Vec::new(), place))
             }
             ("react", "useCallback" | "memo" | "forwardRef") => first,
             ("react", "useRef") => {
                 let id = self.plain(place);
-                self.define(id, "current", first.unwrap_or(Value::Undefined), place);
-                Some(Value::Object(id))
+                self.define(
+                    id,
+                    "current",
+                    first.unwrap_or(ScriptValue::Undefined),
+                    place,
+                );
+                Some(ScriptValue::Object(id))
             }
             ("react", "useState") => {
                 let value = match self.own_function(first.as_ref()) {
-                    Some(function) => self.run(function, Value::Undefined, Vec::new(), place),
-                    None => first.unwrap_or(Value::Undefined),
+                    Some(function) => self.run(function, ScriptValue::Undefined, Vec::new(), place),
+                    None => first.unwrap_or(ScriptValue::Undefined),
                 };
                 // Another value of the same type may be set later.
                 let value = match value.primitive() {
-                    Some(primitive) => Value::Any(primitive),
+                    Some(primitive) => ScriptValue::Any(primitive),
                     None => value,
                 };
                 let setter = self.unknown(place);

@@ -1,9 +1,9 @@
 //! Calls.
 
-use crate::evaluator::{Evaluator, Frame};
-use crate::statement::Flow;
-use crate::value::{ObjectId, Place, Value};
-use crate::world::{Call, Code, EventKind, ObjectKind, ScopeId, Source};
+use crate::branch::StatementEnd;
+use crate::evaluator::{Evaluator, ScriptFrame};
+use crate::value::{ObjectId, ScriptPlace, ScriptValue};
+use crate::world::{Code, EventKind, ForeignCall, ObjectKind, ScopeId, Source};
 use oxc_ast::ast as js;
 use oxc_span::GetSpan;
 use std::rc::Rc;
@@ -17,7 +17,7 @@ const AT_ONCE: &[&str] = &[
 ];
 
 /// The arguments of a call, and whether there may be others.
-pub(crate) type Arguments = (Vec<(Value, Place)>, bool);
+pub(crate) type Arguments = (Vec<(ScriptValue, ScriptPlace)>, bool);
 
 impl<'a> Evaluator<'a, '_> {
     pub fn arguments(&mut self, scope: ScopeId, all: &'a [js::Argument<'a>]) -> Arguments {
@@ -42,7 +42,11 @@ impl<'a> Evaluator<'a, '_> {
         (values, is_open)
     }
 
-    pub fn call_expression(&mut self, scope: ScopeId, it: &'a js::CallExpression<'a>) -> Value {
+    pub fn call_expression(
+        &mut self,
+        scope: ScopeId,
+        it: &'a js::CallExpression<'a>,
+    ) -> ScriptValue {
         let place = self.place(it.span);
         let member = it.callee.as_member_expression();
         let member = member.or(match &it.callee {
@@ -56,7 +60,7 @@ impl<'a> Evaluator<'a, '_> {
         let Some(member) = member else {
             let callee = self.expression(scope, &it.callee);
             let arguments = self.arguments(scope, &it.arguments);
-            if let (js::Expression::Identifier(name), Some((Value::Text(path), _))) =
+            if let (js::Expression::Identifier(name), Some((ScriptValue::Text(path), _))) =
                 (&it.callee, arguments.0.first())
                 && name.name == "require"
                 && self.is_global(&callee)
@@ -91,12 +95,12 @@ impl<'a> Evaluator<'a, '_> {
         self.call(&callee, (Some(object), &key), arguments, place)
     }
 
-    fn is_global(&self, value: &Value) -> bool {
+    fn is_global(&self, value: &ScriptValue) -> bool {
         let object = value.object().and_then(|id| self.world.object(id));
         object.is_some_and(|o| matches!(o.kind, ObjectKind::Foreign(Source::Global(_))))
     }
 
-    pub fn new_expression(&mut self, scope: ScopeId, it: &'a js::NewExpression<'a>) -> Value {
+    pub fn new_expression(&mut self, scope: ScopeId, it: &'a js::NewExpression<'a>) -> ScriptValue {
         let place = self.place(it.span);
         let callee = self.expression(scope, &it.callee);
         let arguments = self.arguments(scope, &it.arguments);
@@ -107,7 +111,7 @@ impl<'a> Evaluator<'a, '_> {
             Some(ObjectKind::Class(_)) => self.construct(id, arguments, place),
             Some(ObjectKind::Function(_)) => {
                 let this = self.plain(place);
-                let this = Value::Object(this);
+                let this = ScriptValue::Object(this);
                 self.run(id, this.clone(), arguments.0, place);
                 self.open(&this);
                 this
@@ -124,7 +128,7 @@ impl<'a> Evaluator<'a, '_> {
                     return self.new_array(&arguments, place);
                 }
                 let id = self.foreign_call(Some(id), (None, name), arguments, (true, place));
-                Value::Object(id)
+                ScriptValue::Object(id)
             }
         }
     }
@@ -132,17 +136,17 @@ impl<'a> Evaluator<'a, '_> {
     /// Calls a value.
     pub fn call(
         &mut self,
-        callee: &Value,
-        (this, name): (Option<Value>, &str),
+        callee: &ScriptValue,
+        (this, name): (Option<ScriptValue>, &str),
         arguments: Arguments,
-        place: Place,
-    ) -> Value {
+        place: ScriptPlace,
+    ) -> ScriptValue {
         let Some(id) = callee.object() else {
             return self.unknown(place);
         };
         match self.world.object(id).map(|o| &o.kind) {
             Some(ObjectKind::Function(_)) => {
-                let this = this.unwrap_or(Value::Undefined);
+                let this = this.unwrap_or(ScriptValue::Undefined);
                 self.run(id, this, arguments.0, place)
             }
             Some(ObjectKind::Foreign(_)) => {
@@ -152,7 +156,12 @@ impl<'a> Evaluator<'a, '_> {
                     return value;
                 }
                 let this = this.and_then(|value| value.object());
-                Value::Object(self.foreign_call(Some(id), (this, name), arguments, (false, place)))
+                ScriptValue::Object(self.foreign_call(
+                    Some(id),
+                    (this, name),
+                    arguments,
+                    (false, place),
+                ))
             }
             _ => self.unknown(place),
         }
@@ -164,13 +173,17 @@ impl<'a> Evaluator<'a, '_> {
         callee: Option<ObjectId>,
         (this, name): (Option<ObjectId>, &str),
         (arguments, is_open): Arguments,
-        (is_new, place): (bool, Place),
+        (is_new, place): (bool, ScriptPlace),
     ) -> ObjectId {
+        let arguments = match name {
+            "loadShader" => self.loaded(arguments),
+            _ => arguments,
+        };
         let event = self.world.events.len();
         let result = self.add(ObjectKind::Foreign(Source::Event(event)), place);
         let export = callee.and_then(|id| self.world.export_of(id));
         let exported = export.filter(|(_, n)| *n != "*" && *n != "default");
-        let call = Call {
+        let call = ForeignCall {
             this,
             name: match exported {
                 Some((_, exported)) => exported.into(),
@@ -198,15 +211,29 @@ impl<'a> Evaluator<'a, '_> {
         result
     }
 
+    /// The texts of the files that arguments name.
+    fn loaded(
+        &mut self,
+        arguments: Vec<(ScriptValue, ScriptPlace)>,
+    ) -> Vec<(ScriptValue, ScriptPlace)> {
+        let load = |(value, place): (ScriptValue, ScriptPlace)| {
+            let path = value.text().map(str::to_string);
+            let module = path.map(|path| self.import(&path, place));
+            let text = module.and_then(|module| self.world.get(&module, "default").cloned());
+            (text.unwrap_or(value), place)
+        };
+        arguments.into_iter().map(load).collect()
+    }
+
     /// Calls a function with unknown arguments.
-    pub fn run_unknown(&mut self, id: ObjectId, this: Option<Value>) -> Value {
+    pub fn run_unknown(&mut self, id: ObjectId, this: Option<ScriptValue>) -> ScriptValue {
         let Some(closure) = self.closure(id) else {
-            return Value::Undefined;
+            return ScriptValue::Undefined;
         };
         let (place, count) = (
-            Place {
+            ScriptPlace {
                 file: closure.file,
-                ..Place::default()
+                ..ScriptPlace::default()
             },
             match closure.code {
                 Code::Function(it) => it.params.items.len(),
@@ -222,10 +249,10 @@ impl<'a> Evaluator<'a, '_> {
     pub fn run(
         &mut self,
         id: ObjectId,
-        this: Value,
-        arguments: Vec<(Value, Place)>,
-        place: Place,
-    ) -> Value {
+        this: ScriptValue,
+        arguments: Vec<(ScriptValue, ScriptPlace)>,
+        place: ScriptPlace,
+    ) -> ScriptValue {
         let Some(closure) = self.closure(id).cloned() else {
             return self.unknown(place);
         };
@@ -240,7 +267,7 @@ impl<'a> Evaluator<'a, '_> {
         }
         self.active.push(id);
         let file = std::mem::replace(&mut self.file, closure.file);
-        self.frames.push(Frame {
+        self.frames.push(ScriptFrame {
             this: closure.this.clone().unwrap_or(this),
             home: closure.home,
             results: Vec::new(),
@@ -254,17 +281,17 @@ impl<'a> Evaluator<'a, '_> {
             return self.unknown(place);
         }
         let results = frame.map_or(Vec::new(), |frame| frame.results);
-        let mut joined: Option<Value> = None;
+        let mut joined: Option<ScriptValue> = None;
         for result in results {
             joined = Some(match joined {
                 Some(other) => self.join(other, result),
                 None => result,
             });
         }
-        joined.unwrap_or(Value::Undefined)
+        joined.unwrap_or(ScriptValue::Undefined)
     }
 
-    fn body(&mut self, scope: ScopeId, code: Code<'a>, arguments: Vec<(Value, Place)>) {
+    fn body(&mut self, scope: ScopeId, code: Code<'a>, arguments: Vec<(ScriptValue, ScriptPlace)>) {
         let parameters = match code {
             Code::Function(it) => &it.params,
             Code::Arrow(it) => &it.params,
@@ -273,9 +300,9 @@ impl<'a> Evaluator<'a, '_> {
         for parameter in &parameters.items {
             let value = arguments
                 .next()
-                .map_or(Value::Undefined, |(value, _)| value);
+                .map_or(ScriptValue::Undefined, |(value, _)| value);
             let value = match (&value, &parameter.initializer) {
-                (Value::Undefined, Some(default)) => self.expression(scope, default),
+                (ScriptValue::Undefined, Some(default)) => self.expression(scope, default),
                 _ => value,
             };
             // `constructor(private gl: ...)` sets the property.
@@ -326,7 +353,7 @@ impl<'a> Evaluator<'a, '_> {
         while !self.deferred.is_empty() {
             for function in std::mem::take(&mut self.deferred) {
                 if self.closure(function).is_some_and(|c| c.runs == 0) {
-                    self.turn += 1;
+                    self.task += 1;
                     self.run_unknown(function, None);
                     any = true;
                 }
@@ -347,7 +374,7 @@ impl<'a> Evaluator<'a, '_> {
             if object.place.file != 0 {
                 continue;
             }
-            self.turn += 1;
+            self.task += 1;
             match &object.kind {
                 ObjectKind::Function(closure) if closure.runs == 0 => {
                     let this = closure.home.map(|home| self.instance(home));
@@ -366,7 +393,7 @@ impl<'a> Evaluator<'a, '_> {
 
     /// Evaluates an expression of a callback as if it were called once for an unknown element.
     pub fn once_for_others(&mut self, function: ObjectId) {
-        let mut way = |e: &mut Self| (Flow::Next, e.run_unknown(function, None));
+        let mut way = |e: &mut Self| (StatementEnd::Next, e.run_unknown(function, None));
         self.ways(&mut [&mut way]);
     }
 }

@@ -1,8 +1,8 @@
 //! Classes.
 
 use crate::call::Arguments;
-use crate::evaluator::{Evaluator, Frame};
-use crate::value::{ObjectId, Place, Value};
+use crate::evaluator::{Evaluator, ScriptFrame};
+use crate::value::{ObjectId, ScriptPlace, ScriptValue};
 use crate::world::{Code, Method, ObjectKind, ScopeId, ScriptClass, Source};
 use oxc_ast::ast as js;
 use std::rc::Rc;
@@ -11,7 +11,7 @@ use std::rc::Rc;
 const MAX_BASES: usize = 16;
 
 impl<'a> Evaluator<'a, '_> {
-    pub fn class(&mut self, scope: ScopeId, it: &'a js::Class<'a>) -> Value {
+    pub fn class(&mut self, scope: ScopeId, it: &'a js::Class<'a>) -> ScriptValue {
         let place = self.place(it.span);
         let base = match &it.heritage {
             Some(heritage) => self.expression(scope, &heritage.expression).object(),
@@ -27,11 +27,11 @@ impl<'a> Evaluator<'a, '_> {
             instance: None,
         };
         let id = self.add(ObjectKind::Class(class), place);
-        let value = Value::Object(id);
+        let value = ScriptValue::Object(id);
         if let Some(name) = &it.id {
             self.declare(scope, name.name.as_str(), value.clone());
         }
-        self.frames.push(Frame {
+        self.frames.push(ScriptFrame {
             this: value.clone(),
             home: Some(id),
             results: Vec::new(),
@@ -76,7 +76,7 @@ impl<'a> Evaluator<'a, '_> {
                 if let Some(key) = self.property_key(scope, &it.key) {
                     let value = it.value.as_ref().map(|value| self.expression(scope, value));
                     let place = self.key_place(&it.key);
-                    self.define(id, &key, value.unwrap_or(Value::Undefined), place);
+                    self.define(id, &key, value.unwrap_or(ScriptValue::Undefined), place);
                 }
             }
             js::ClassElement::StaticBlock(it) => {
@@ -94,7 +94,12 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Makes an instance of a class of the program.
-    pub fn construct(&mut self, class: ObjectId, arguments: Arguments, place: Place) -> Value {
+    pub fn construct(
+        &mut self,
+        class: ObjectId,
+        arguments: Arguments,
+        place: ScriptPlace,
+    ) -> ScriptValue {
         let id = self.plain(place);
         if let Some(object) = self.world.objects.get_mut(id) {
             object.class = Some(class);
@@ -103,22 +108,22 @@ impl<'a> Evaluator<'a, '_> {
             known.instance = Some(id);
         }
         self.initialize(class, id, arguments, place);
-        Value::Object(id)
+        ScriptValue::Object(id)
     }
 
     /// The last instance of a class, or one that is made with unknown arguments.
-    pub fn instance(&mut self, class: ObjectId) -> Value {
+    pub fn instance(&mut self, class: ObjectId) -> ScriptValue {
         let Some(known) = self.script_class(class) else {
-            return Value::Undefined;
+            return ScriptValue::Undefined;
         };
         if let Some(instance) = known.instance {
-            return Value::Object(instance);
+            return ScriptValue::Object(instance);
         }
         let constructor = known.constructor;
         let place = self
             .world
             .object(class)
-            .map_or(Place::default(), |o| o.place);
+            .map_or(ScriptPlace::default(), |o| o.place);
         let closure = constructor.and_then(|id| self.closure(id));
         let count = closure.map_or(0, |closure| match closure.code {
             Code::Function(it) => it.params.items.len(),
@@ -129,7 +134,13 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Runs the constructor of a class on an instance.
-    fn initialize(&mut self, class: ObjectId, id: ObjectId, arguments: Arguments, place: Place) {
+    fn initialize(
+        &mut self,
+        class: ObjectId,
+        id: ObjectId,
+        arguments: Arguments,
+        place: ScriptPlace,
+    ) {
         let Some(known) = self.script_class(class) else {
             return;
         };
@@ -137,11 +148,11 @@ impl<'a> Evaluator<'a, '_> {
         match (constructor, base) {
             (Some(constructor), None) => {
                 self.fields(class, id);
-                self.run(constructor, Value::Object(id), arguments.0, place);
+                self.run(constructor, ScriptValue::Object(id), arguments.0, place);
             }
             // It calls `super`.
             (Some(constructor), Some(_)) => {
-                self.run(constructor, Value::Object(id), arguments.0, place);
+                self.run(constructor, ScriptValue::Object(id), arguments.0, place);
             }
             (None, Some(base)) => {
                 self.initialize_base(base, id, arguments, place);
@@ -156,7 +167,7 @@ impl<'a> Evaluator<'a, '_> {
         base: ObjectId,
         id: ObjectId,
         arguments: Arguments,
-        place: Place,
+        place: ScriptPlace,
     ) {
         if self.script_class(base).is_some() {
             return self.initialize(base, id, arguments, place);
@@ -190,8 +201,8 @@ impl<'a> Evaluator<'a, '_> {
         let (code, scope) = (known.code, known.scope);
         let file = self.world.object(class).map_or(self.file, |o| o.place.file);
         let file = std::mem::replace(&mut self.file, file);
-        self.frames.push(Frame {
-            this: Value::Object(id),
+        self.frames.push(ScriptFrame {
+            this: ScriptValue::Object(id),
             home: Some(class),
             results: Vec::new(),
         });
@@ -211,20 +222,25 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// `super(...)`
-    pub fn super_call(&mut self, arguments: Arguments, place: Place) -> Value {
+    pub fn super_call(&mut self, arguments: Arguments, place: ScriptPlace) -> ScriptValue {
         let frame = self.frames.last();
         let this = frame.map(|frame| (frame.this.clone(), frame.home));
-        if let Some((Value::Object(id), Some(home))) = this
+        if let Some((ScriptValue::Object(id), Some(home))) = this
             && let Some(base) = self.script_class(home).and_then(|class| class.base)
         {
             self.initialize_base(base, id, arguments, place);
             self.fields(home, id);
         }
-        Value::Undefined
+        ScriptValue::Undefined
     }
 
     /// `super.name(...)`
-    pub fn super_method(&mut self, name: &str, arguments: Arguments, place: Place) -> Value {
+    pub fn super_method(
+        &mut self,
+        name: &str,
+        arguments: Arguments,
+        place: ScriptPlace,
+    ) -> ScriptValue {
         let this = self.this(place);
         let home = self.frames.last().and_then(|frame| frame.home);
         let base = home.and_then(|home| self.script_class(home)?.base);
@@ -232,7 +248,7 @@ impl<'a> Evaluator<'a, '_> {
             base.and_then(|base| self.method(base, name, js::MethodDefinitionKind::Method));
         match method {
             Some(method) => self.run(method, this, arguments.0, place),
-            None => Value::Object(self.foreign_call(
+            None => ScriptValue::Object(self.foreign_call(
                 None,
                 (this.object(), name),
                 arguments,
@@ -264,21 +280,26 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The value that an object has from its class.
-    pub fn inherited(&mut self, id: ObjectId, name: &str, place: Place) -> Option<Value> {
+    pub fn inherited(
+        &mut self,
+        id: ObjectId,
+        name: &str,
+        place: ScriptPlace,
+    ) -> Option<ScriptValue> {
         let object = self.world.object(id)?;
         if let (ObjectKind::Class(class), None) = (&object.kind, object.class) {
             let base = class.base?;
             return match self.world.is_foreign(base) {
                 true => None,
-                false => Some(self.member(&Value::Object(base), name, place)),
+                false => Some(self.member(&ScriptValue::Object(base), name, place)),
             };
         }
         let class = object.class?;
         if let Some(getter) = self.method(class, name, js::MethodDefinitionKind::Get) {
-            return Some(self.run(getter, Value::Object(id), Vec::new(), place));
+            return Some(self.run(getter, ScriptValue::Object(id), Vec::new(), place));
         }
         let method = self.method(class, name, js::MethodDefinitionKind::Method)?;
-        Some(Value::Object(method))
+        Some(ScriptValue::Object(method))
     }
 
     /// The setter that an object has from its class.

@@ -1,9 +1,9 @@
 //! The state of an evaluation: objects, scopes and names.
 
-use crate::value::{ObjectId, Place, ScriptText, Value};
+use crate::value::{KnownText, ObjectId, ScriptPlace, ScriptValue};
 use crate::world::{
-    Certainty, Closure, Event, EventId, EventKind, ObjectKind, Property, ScopeId, ScriptObject,
-    Source, World,
+    Closure, EventCertainty, EventId, EventKind, ObjectKind, Property, ScopeId, ScriptEvent,
+    ScriptObject, Source, World,
 };
 use oxc_allocator::Allocator;
 use oxc_span::Span;
@@ -52,8 +52,8 @@ pub fn evaluate<R>(
         active: Vec::new(),
         logs: Vec::new(),
         deferred: Vec::new(),
-        certainty: Certainty::Sure,
-        turn: 0,
+        certainty: EventCertainty::Sure,
+        task: 0,
         missing: None,
         file: 0,
         steps: MAX_STEPS,
@@ -71,44 +71,44 @@ pub fn evaluate<R>(
 
 /// A variable or property that is changed.
 #[derive(Clone, PartialEq, Eq, Hash)]
-pub(crate) enum Slot<'a> {
+pub(crate) enum ChangedSlot<'a> {
     Variable(ScopeId, &'a str),
     Property(ObjectId, Rc<str>),
 }
 
 /// The names of a block.
-pub(crate) struct Scope<'a> {
+pub(crate) struct NameScope<'a> {
     parent: Option<ScopeId>,
-    names: FxHashMap<&'a str, Value>,
+    names: FxHashMap<&'a str, ScriptValue>,
 }
 
 /// A function that is running.
-pub(crate) struct Frame {
-    pub this: Value,
+pub(crate) struct ScriptFrame {
+    pub this: ScriptValue,
     /// The class of the running method.
     pub home: Option<ObjectId>,
-    pub results: Vec<Value>,
+    pub results: Vec<ScriptValue>,
 }
 
 pub(crate) struct Evaluator<'a, 'r> {
     pub allocator: &'a Allocator,
     pub loader: &'r dyn Loader,
     pub world: World<'a>,
-    scopes: Vec<Scope<'a>>,
+    scopes: Vec<NameScope<'a>>,
     /// The modules with the objects of their exports.
     pub modules: Vec<(PathBuf, ObjectId)>,
     globals: FxHashMap<Rc<str>, ObjectId>,
     members: FxHashMap<(ObjectId, Rc<str>), ObjectId>,
-    pub frames: Vec<Frame>,
+    pub frames: Vec<ScriptFrame>,
     /// The functions that are running.
     pub active: Vec<ObjectId>,
     /// What the branches that are being evaluated have changed, with the values before.
-    pub logs: Vec<Vec<(Slot<'a>, Option<Value>)>>,
+    pub logs: Vec<Vec<(ChangedSlot<'a>, Option<ScriptValue>)>>,
     /// Functions that were handed on.
     pub deferred: Vec<ObjectId>,
-    pub certainty: Certainty,
-    /// The number of the current turn.
-    pub turn: usize,
+    pub certainty: EventCertainty,
+    /// The number of the current task.
+    pub task: usize,
     /// The last property that was missing.
     pub missing: Option<EventId>,
     /// The index of the current file.
@@ -132,8 +132,8 @@ impl<'a> Evaluator<'a, '_> {
         Some(result)
     }
 
-    pub fn place(&self, span: Span) -> Place {
-        Place {
+    pub fn place(&self, span: Span) -> ScriptPlace {
+        ScriptPlace {
             file: self.file,
             start: span.start,
             end: span.end,
@@ -141,7 +141,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Adds an object.
-    pub fn add(&mut self, kind: ObjectKind<'a>, place: Place) -> ObjectId {
+    pub fn add(&mut self, kind: ObjectKind<'a>, place: ScriptPlace) -> ObjectId {
         self.world.objects.push(ScriptObject {
             kind,
             place,
@@ -153,32 +153,32 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// A value of which nothing is known.
-    pub fn unknown(&mut self, place: Place) -> Value {
-        Value::Object(self.add(ObjectKind::Foreign(Source::Unknown), place))
+    pub fn unknown(&mut self, place: ScriptPlace) -> ScriptValue {
+        ScriptValue::Object(self.add(ObjectKind::Foreign(Source::Unknown), place))
     }
 
-    pub fn plain(&mut self, place: Place) -> ObjectId {
+    pub fn plain(&mut self, place: ScriptPlace) -> ObjectId {
         self.add(ObjectKind::Plain, place)
     }
 
-    pub fn array(&mut self, elements: Vec<Value>, place: Place) -> Value {
-        Value::Object(self.add(ObjectKind::Array(elements), place))
+    pub fn array(&mut self, elements: Vec<ScriptValue>, place: ScriptPlace) -> ScriptValue {
+        ScriptValue::Object(self.add(ObjectKind::Array(elements), place))
     }
 
     /// Makes an object one that may have other properties or elements.
-    pub fn open(&mut self, value: &Value) {
+    pub fn open(&mut self, value: &ScriptValue) {
         if let Some(object) = value.object().and_then(|id| self.world.objects.get_mut(id)) {
             object.is_open = true;
         }
     }
 
     /// Records an event.
-    pub fn record(&mut self, kind: EventKind, place: Place) -> EventId {
-        self.world.events.push(Event {
+    pub fn record(&mut self, kind: EventKind, place: ScriptPlace) -> EventId {
+        self.world.events.push(ScriptEvent {
             kind,
             place,
             certainty: self.certainty,
-            turn: self.turn,
+            task: self.task,
         });
         self.world.events.len() - 1
     }
@@ -192,7 +192,7 @@ impl<'a> Evaluator<'a, '_> {
 
     /// A scope in another.
     pub fn scope(&mut self, parent: Option<ScopeId>) -> ScopeId {
-        self.scopes.push(Scope {
+        self.scopes.push(NameScope {
             parent,
             names: FxHashMap::default(),
         });
@@ -200,7 +200,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Declares a name.
-    pub fn declare(&mut self, scope: ScopeId, name: &'a str, value: Value) {
+    pub fn declare(&mut self, scope: ScopeId, name: &'a str, value: ScriptValue) {
         if let Some(scope) = self.scopes.get_mut(scope) {
             scope.names.insert(name, value);
         }
@@ -220,20 +220,20 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The value of a name.
-    pub fn name(&mut self, scope: ScopeId, name: &str, place: Place) -> Value {
+    pub fn name(&mut self, scope: ScopeId, name: &str, place: ScriptPlace) -> ScriptValue {
         if name == "undefined" {
-            return Value::Undefined;
+            return ScriptValue::Undefined;
         }
         let declaring = self.declaring(scope, name);
         let declared = declaring.and_then(|id| self.scopes.get(id)?.names.get(name));
         match declared {
             Some(value) => value.clone(),
-            None => Value::Object(self.global(name, place)),
+            None => ScriptValue::Object(self.global(name, place)),
         }
     }
 
     /// The object of a global name.
-    pub fn global(&mut self, name: &str, place: Place) -> ObjectId {
+    pub fn global(&mut self, name: &str, place: ScriptPlace) -> ObjectId {
         if let Some(id) = self.globals.get(name) {
             return *id;
         }
@@ -244,22 +244,28 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Assigns to a name.
-    pub fn set_name(&mut self, scope: ScopeId, name: &'a str, value: Value) {
+    pub fn set_name(&mut self, scope: ScopeId, name: &'a str, value: ScriptValue) {
         if let Some(scope) = self.declaring(scope, name) {
-            self.set(Slot::Variable(scope, name), Some(value), Place::default());
+            self.set(
+                ChangedSlot::Variable(scope, name),
+                Some(value),
+                ScriptPlace::default(),
+            );
         }
     }
 
     /// The value of a slot.
-    pub fn slot(&self, slot: &Slot<'a>) -> Option<Value> {
+    pub fn slot(&self, slot: &ChangedSlot<'a>) -> Option<ScriptValue> {
         match slot {
-            Slot::Variable(scope, name) => self.scopes.get(*scope)?.names.get(name).cloned(),
-            Slot::Property(object, key) => Some(self.world.property(*object, key)?.value.clone()),
+            ChangedSlot::Variable(scope, name) => self.scopes.get(*scope)?.names.get(name).cloned(),
+            ChangedSlot::Property(object, key) => {
+                Some(self.world.property(*object, key)?.value.clone())
+            }
         }
     }
 
     /// Changes a slot, or removes it, and remembers that for the branch that is being evaluated.
-    pub fn set(&mut self, slot: Slot<'a>, value: Option<Value>, place: Place) {
+    pub fn set(&mut self, slot: ChangedSlot<'a>, value: Option<ScriptValue>, place: ScriptPlace) {
         let old = self.slot(&slot);
         if let Some(log) = self.logs.last_mut()
             && !log.iter().any(|(known, _)| *known == slot)
@@ -270,14 +276,14 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Changes a slot, or removes it.
-    pub fn put(&mut self, slot: &Slot<'a>, value: Option<Value>, place: Place) {
+    pub fn put(&mut self, slot: &ChangedSlot<'a>, value: Option<ScriptValue>, place: ScriptPlace) {
         match slot {
-            Slot::Variable(scope, name) => {
+            ChangedSlot::Variable(scope, name) => {
                 if let (Some(scope), Some(value)) = (self.scopes.get_mut(*scope), value) {
                     scope.names.insert(name, value);
                 }
             }
-            Slot::Property(object, key) => {
+            ChangedSlot::Property(object, key) => {
                 let is_sure = self.logs.is_empty();
                 let Some(object) = self.world.objects.get_mut(*object) else {
                     return;
@@ -306,8 +312,12 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Sets a property of a new object, which no branch shares.
-    pub fn define(&mut self, object: ObjectId, key: &str, value: Value, place: Place) {
-        self.put(&Slot::Property(object, key.into()), Some(value), place);
+    pub fn define(&mut self, object: ObjectId, key: &str, value: ScriptValue, place: ScriptPlace) {
+        self.put(
+            &ChangedSlot::Property(object, key.into()),
+            Some(value),
+            place,
+        );
         let object = self.world.objects.get_mut(object);
         let property = object.and_then(|o| o.properties.iter_mut().find(|p| &*p.key == key));
         if let Some(property) = property {
@@ -317,23 +327,23 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The value of a property.
-    pub fn member(&mut self, value: &Value, key: &str, place: Place) -> Value {
+    pub fn member(&mut self, value: &ScriptValue, key: &str, place: ScriptPlace) -> ScriptValue {
         let id = match value {
-            Value::Object(id) => match self.element_text(*id, key) {
+            ScriptValue::Object(id) => match self.element_text(*id, key) {
                 Some(text) => return text,
                 None => *id,
             },
-            Value::Text(text) if key == "length" && !text.is_open => {
-                return Value::Number(
-                    text.content.chars().map(char::len_utf16).sum::<usize>() as f64
+            ScriptValue::Text(text) if key == "length" && !text.is_open => {
+                return ScriptValue::Number(
+                    text.content.chars().map(char::len_utf16).sum::<usize>() as f64,
                 );
             }
             _ => return self.unknown(place),
         };
         if let Some(property) = self.world.property(id, key).cloned() {
             return match property.accessors {
-                [Some(getter), _] => self.run(getter, Value::Object(id), Vec::new(), place),
-                [None, Some(_)] => Value::Undefined,
+                [Some(getter), _] => self.run(getter, ScriptValue::Object(id), Vec::new(), place),
+                [None, Some(_)] => ScriptValue::Undefined,
                 _ => property.value,
             };
         }
@@ -341,13 +351,13 @@ impl<'a> Evaluator<'a, '_> {
             return found;
         }
         let Some(object) = self.world.object(id) else {
-            return Value::Undefined;
+            return ScriptValue::Undefined;
         };
         match &object.kind {
             ObjectKind::Array(elements) => {
                 let is_open = object.is_open;
                 let found = match key {
-                    "length" => Some(Value::Number(elements.len() as f64)),
+                    "length" => Some(ScriptValue::Number(elements.len() as f64)),
                     _ => key
                         .parse()
                         .ok()
@@ -356,7 +366,7 @@ impl<'a> Evaluator<'a, '_> {
                 match found {
                     Some(found) if !is_open || key != "length" => found,
                     _ if is_open => self.child(id, key, place),
-                    _ => Value::Undefined,
+                    _ => ScriptValue::Undefined,
                 }
             }
             ObjectKind::Plain if !object.is_open && object.class.is_none() => {
@@ -366,15 +376,15 @@ impl<'a> Evaluator<'a, '_> {
                     is_used: false,
                 };
                 self.missing = Some(self.record(kind, place));
-                Value::Undefined
+                ScriptValue::Undefined
             }
-            ObjectKind::Plain if !object.is_open => Value::Undefined,
+            ObjectKind::Plain if !object.is_open => ScriptValue::Undefined,
             _ => self.child(id, key, place),
         }
     }
 
     /// The text of an element of the page: `document.getElementById("id").textContent`.
-    fn element_text(&self, id: ObjectId, key: &str) -> Option<Value> {
+    fn element_text(&self, id: ObjectId, key: &str) -> Option<ScriptValue> {
         let is_text = ["textContent", "innerText", "innerHTML", "text"].contains(&key);
         let call = self.world.call_of(id).filter(|_| is_text)?;
         let (selector, _) = call.arguments.first()?;
@@ -385,29 +395,35 @@ impl<'a> Evaluator<'a, '_> {
         };
         let (_, page) = self.world.files.first()?;
         let range = self.loader.element(page, name)?;
-        let place = Place {
+        let place = ScriptPlace {
             file: 0,
             start: range.start as u32,
             end: range.end as u32,
         };
-        let text = ScriptText::written(page.get(range)?, place);
-        Some(Value::Text(Rc::new(text)))
+        let text = KnownText::written(page.get(range)?, place);
+        Some(ScriptValue::Text(Rc::new(text)))
     }
 
     /// A property of an object of which nothing is known; the same each time.
-    fn child(&mut self, id: ObjectId, key: &str, place: Place) -> Value {
+    fn child(&mut self, id: ObjectId, key: &str, place: ScriptPlace) -> ScriptValue {
         let key: Rc<str> = key.into();
         if let Some(child) = self.members.get(&(id, key.clone())) {
-            return Value::Object(*child);
+            return ScriptValue::Object(*child);
         }
         let child = self.add(ObjectKind::Foreign(Source::Member(id, key.clone())), place);
         self.members.insert((id, key), child);
-        Value::Object(child)
+        ScriptValue::Object(child)
     }
 
     /// Sets a property.
-    pub fn write(&mut self, target: &Value, key: Option<Rc<str>>, value: Value, place: Place) {
-        let Value::Object(id) = target else {
+    pub fn write(
+        &mut self,
+        target: &ScriptValue,
+        key: Option<Rc<str>>,
+        value: ScriptValue,
+        place: ScriptPlace,
+    ) {
+        let ScriptValue::Object(id) = target else {
             return;
         };
         let id = *id;
@@ -422,7 +438,7 @@ impl<'a> Evaluator<'a, '_> {
         };
         let setter = self.world.property(id, &key).and_then(|p| p.accessors[1]);
         if let Some(setter) = setter.or_else(|| self.setter(id, &key)) {
-            self.run(setter, Value::Object(id), vec![(value, place)], place);
+            self.run(setter, ScriptValue::Object(id), vec![(value, place)], place);
             return;
         }
         self.record(kind, place);
@@ -436,23 +452,23 @@ impl<'a> Evaluator<'a, '_> {
             }
             return;
         }
-        self.set(Slot::Property(id, key), Some(value), place);
+        self.set(ChangedSlot::Property(id, key), Some(value), place);
     }
 
     /// A text, or its unknown value.
-    pub fn as_text(&self, value: &Value) -> ScriptText {
+    pub fn as_text(&self, value: &ScriptValue) -> KnownText {
         match value {
-            Value::Text(text) => (**text).clone(),
-            Value::Number(number) => ScriptText::made(format!("{number}")),
-            Value::Bool(flag) => ScriptText::made(flag.to_string()),
-            Value::Null => ScriptText::made("null".to_string()),
-            Value::Undefined => ScriptText::made("undefined".to_string()),
-            Value::Any(_) | Value::Object(_) => ScriptText::unknown(),
+            ScriptValue::Text(text) => (**text).clone(),
+            ScriptValue::Number(number) => KnownText::made(format!("{number}")),
+            ScriptValue::Bool(flag) => KnownText::made(flag.to_string()),
+            ScriptValue::Null => KnownText::made("null".to_string()),
+            ScriptValue::Undefined => KnownText::made("undefined".to_string()),
+            ScriptValue::Any(_) | ScriptValue::Object(_) => KnownText::unknown(),
         }
     }
 
     /// The name of the property that a value selects, if it is known.
-    pub fn key(&self, value: &Value) -> Option<Rc<str>> {
+    pub fn key(&self, value: &ScriptValue) -> Option<Rc<str>> {
         let text = self.as_text(value);
         (!text.is_open).then(|| text.content.into())
     }

@@ -1,16 +1,16 @@
 //! Expressions.
 
+use crate::branch::StatementEnd;
 use crate::evaluator::Evaluator;
-use crate::statement::Flow;
-use crate::value::{Place, Primitive, ScriptText, Value};
+use crate::value::{KnownText, Primitive, ScriptPlace, ScriptValue};
 use crate::world::{Closure, Code, EventKind, ObjectKind, ScopeId};
 use oxc_ast::ast as js;
 use oxc_span::{GetSpan, Span};
 use std::rc::Rc;
 
 /// The place of the contents of a quoted string or template.
-fn inside(place: Place) -> Place {
-    Place {
+fn inside(place: ScriptPlace) -> ScriptPlace {
+    ScriptPlace {
         start: place.start + 1,
         end: place.end.saturating_sub(1).max(place.start + 1),
         ..place
@@ -18,7 +18,7 @@ fn inside(place: Place) -> Place {
 }
 
 impl<'a> Evaluator<'a, '_> {
-    pub fn expression(&mut self, scope: ScopeId, it: &'a js::Expression<'a>) -> Value {
+    pub fn expression(&mut self, scope: ScopeId, it: &'a js::Expression<'a>) -> ScriptValue {
         let value = self.nested(|e| e.expression_inside(scope, it));
         match value {
             Some(value) => value,
@@ -26,12 +26,12 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
-    fn expression_inside(&mut self, scope: ScopeId, it: &'a js::Expression<'a>) -> Value {
+    fn expression_inside(&mut self, scope: ScopeId, it: &'a js::Expression<'a>) -> ScriptValue {
         let place = self.place(it.span());
         match it {
-            js::Expression::BooleanLiteral(it) => Value::Bool(it.value),
-            js::Expression::NullLiteral(_) => Value::Null,
-            js::Expression::NumericLiteral(it) => Value::Number(it.value),
+            js::Expression::BooleanLiteral(it) => ScriptValue::Bool(it.value),
+            js::Expression::NullLiteral(_) => ScriptValue::Null,
+            js::Expression::NumericLiteral(it) => ScriptValue::Number(it.value),
             js::Expression::StringLiteral(it) => self.quoted(it),
             js::Expression::TemplateLiteral(it) => self.template(scope, it),
             js::Expression::TaggedTemplateExpression(it) => {
@@ -61,7 +61,7 @@ impl<'a> Evaluator<'a, '_> {
             js::Expression::ConditionalExpression(it) => self.conditional(scope, it),
             js::Expression::SequenceExpression(it) => {
                 let values = it.expressions.iter().map(|one| self.expression(scope, one));
-                values.last().unwrap_or(Value::Undefined)
+                values.last().unwrap_or(ScriptValue::Undefined)
             }
             js::Expression::AwaitExpression(it) => self.expression(scope, &it.argument),
             js::Expression::CallExpression(it) => self.call_expression(scope, it),
@@ -99,28 +99,28 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
-    pub fn this(&mut self, place: Place) -> Value {
+    pub fn this(&mut self, place: ScriptPlace) -> ScriptValue {
         let this = self.frames.last().map(|frame| frame.this.clone());
         this.unwrap_or_else(|| self.unknown(place))
     }
 
     /// A string literal.
-    pub fn quoted(&self, it: &js::StringLiteral) -> Value {
+    pub fn quoted(&self, it: &js::StringLiteral) -> ScriptValue {
         let place = inside(self.place(it.span));
-        Value::Text(Rc::new(ScriptText::written(&it.value, place)))
+        ScriptValue::Text(Rc::new(KnownText::written(&it.value, place)))
     }
 
-    fn template(&mut self, scope: ScopeId, it: &'a js::TemplateLiteral<'a>) -> Value {
-        let mut text = ScriptText::default();
+    fn template(&mut self, scope: ScopeId, it: &'a js::TemplateLiteral<'a>) -> ScriptValue {
+        let mut text = KnownText::default();
         for (index, quasi) in it.quasis.iter().enumerate() {
             let cooked = quasi.value.cooked.as_ref().unwrap_or(&quasi.value.raw);
-            text.push(&ScriptText::written(cooked, self.place(quasi.span)));
+            text.push(&KnownText::written(cooked, self.place(quasi.span)));
             if let Some(expression) = it.expressions.get(index) {
                 let value = self.expression(scope, expression);
                 text.push(&self.as_text(&value));
             }
         }
-        Value::Text(Rc::new(text))
+        ScriptValue::Text(Rc::new(text))
     }
 
     /// A closure.
@@ -128,9 +128,9 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         code: Code<'a>,
         scope: ScopeId,
-        this: Option<Value>,
-        place: Place,
-    ) -> Value {
+        this: Option<ScriptValue>,
+        place: ScriptPlace,
+    ) -> ScriptValue {
         let home = self.frames.last().and_then(|frame| frame.home);
         let closure = Closure {
             code,
@@ -140,14 +140,14 @@ impl<'a> Evaluator<'a, '_> {
             file: self.file,
             runs: 0,
         };
-        Value::Object(self.add(ObjectKind::Function(closure), place))
+        ScriptValue::Object(self.add(ObjectKind::Function(closure), place))
     }
 
-    pub fn function(&mut self, scope: ScopeId, it: &'a js::Function<'a>) -> Value {
+    pub fn function(&mut self, scope: ScopeId, it: &'a js::Function<'a>) -> ScriptValue {
         self.close(Code::Function(it), scope, None, self.place(it.span))
     }
 
-    fn array_literal(&mut self, scope: ScopeId, it: &'a js::ArrayExpression<'a>) -> Value {
+    fn array_literal(&mut self, scope: ScopeId, it: &'a js::ArrayExpression<'a>) -> ScriptValue {
         let mut elements = Vec::new();
         let mut is_open = false;
         for element in &it.elements {
@@ -158,7 +158,7 @@ impl<'a> Evaluator<'a, '_> {
                     elements.append(&mut known);
                     is_open |= has_more;
                 }
-                js::ArrayExpressionElement::Elision(_) => elements.push(Value::Undefined),
+                js::ArrayExpressionElement::Elision(_) => elements.push(ScriptValue::Undefined),
                 other => {
                     if let Some(expression) = other.as_expression() {
                         elements.push(self.expression(scope, expression));
@@ -173,9 +173,9 @@ impl<'a> Evaluator<'a, '_> {
         array
     }
 
-    fn object_literal(&mut self, scope: ScopeId, it: &'a js::ObjectExpression<'a>) -> Value {
+    fn object_literal(&mut self, scope: ScopeId, it: &'a js::ObjectExpression<'a>) -> ScriptValue {
         let id = self.plain(self.place(it.span));
-        let object = Value::Object(id);
+        let object = ScriptValue::Object(id);
         for property in &it.properties {
             match property {
                 js::ObjectPropertyKind::SpreadProperty(spread) => {
@@ -213,11 +213,11 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         id: usize,
         key: &str,
-        (function, is_setter): (Value, bool),
-        place: Place,
+        (function, is_setter): (ScriptValue, bool),
+        place: ScriptPlace,
     ) {
         if self.world.property(id, key).is_none() {
-            self.define(id, key, Value::Undefined, place);
+            self.define(id, key, ScriptValue::Undefined, place);
         }
         let object = self.world.objects.get_mut(id);
         let property = object.and_then(|o| o.properties.iter_mut().find(|p| &*p.key == key));
@@ -227,20 +227,20 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Copies the properties of a value to an object, as spreading does.
-    pub fn copy_properties(&mut self, id: usize, value: &Value) {
+    pub fn copy_properties(&mut self, id: usize, value: &ScriptValue) {
         let source = value.object().and_then(|id| self.world.object(id));
         let is_known = source.is_some_and(|o| matches!(o.kind, ObjectKind::Plain) && !o.is_open);
         let known = source.map_or(Vec::new(), |o| o.properties.clone());
         for property in known {
             self.define(id, &property.key, property.value, property.place);
         }
-        if !is_known && matches!(value, Value::Object(_)) {
-            self.open(&Value::Object(id));
+        if !is_known && matches!(value, ScriptValue::Object(_)) {
+            self.open(&ScriptValue::Object(id));
         }
     }
 
     /// The place of a property's name.
-    pub fn key_place(&self, key: &js::PropertyKey) -> Place {
+    pub fn key_place(&self, key: &js::PropertyKey) -> ScriptPlace {
         match key {
             js::PropertyKey::StringLiteral(it) => inside(self.place(it.span)),
             other => self.place(other.span()),
@@ -268,7 +268,7 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         scope: ScopeId,
         it: &'a js::MemberExpression<'a>,
-    ) -> (Value, Value) {
+    ) -> (ScriptValue, ScriptValue) {
         let object = self.expression(scope, it.object());
         self.use_missing(&object, it.object().span(), it.optional());
         let (key, place) = self.member_key(scope, it);
@@ -280,7 +280,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// A value that is an element of an array, or unknown.
-    fn any_element(&mut self, object: &Value, place: Place) -> Value {
+    fn any_element(&mut self, object: &ScriptValue, place: ScriptPlace) -> ScriptValue {
         match object
             .object()
             .and_then(|id| self.world.object(id))
@@ -299,7 +299,7 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         scope: ScopeId,
         it: &'a js::MemberExpression<'a>,
-    ) -> (Option<Rc<str>>, Place) {
+    ) -> (Option<Rc<str>>, ScriptPlace) {
         match it {
             js::MemberExpression::StaticMemberExpression(it) => (
                 Some(it.property.name.as_str().into()),
@@ -320,13 +320,13 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Notes that something is read from a missing value.
-    pub fn use_missing(&mut self, object: &Value, span: Span, is_optional: bool) {
+    pub fn use_missing(&mut self, object: &ScriptValue, span: Span, is_optional: bool) {
         if is_optional {
             self.world.optional.extend(object.object());
         }
         let missing = self.missing.take().filter(|_| !is_optional);
         let event = missing.and_then(|id| self.world.events.get_mut(id));
-        if let (Value::Undefined, Some(event)) = (object, event)
+        if let (ScriptValue::Undefined, Some(event)) = (object, event)
             && event.place.file == self.file
             && event.place.end >= span.start
             && event.place.end <= span.end
@@ -336,14 +336,14 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
-    fn unary(&mut self, scope: ScopeId, it: &'a js::UnaryExpression<'a>) -> Value {
+    fn unary(&mut self, scope: ScopeId, it: &'a js::UnaryExpression<'a>) -> ScriptValue {
         let value = self.expression(scope, &it.argument);
         match (it.operator, &value) {
-            (js::UnaryOperator::UnaryNegation, Value::Number(n)) => Value::Number(-n),
-            (js::UnaryOperator::UnaryPlus, Value::Number(n)) => Value::Number(*n),
+            (js::UnaryOperator::UnaryNegation, ScriptValue::Number(n)) => ScriptValue::Number(-n),
+            (js::UnaryOperator::UnaryPlus, ScriptValue::Number(n)) => ScriptValue::Number(*n),
             (js::UnaryOperator::LogicalNot, _) => match self.truth(&value) {
-                Some(flag) => Value::Bool(!flag),
-                None => Value::Any(Primitive::Bool),
+                Some(flag) => ScriptValue::Bool(!flag),
+                None => ScriptValue::Any(Primitive::Bool),
             },
             (js::UnaryOperator::Typeof, _) => {
                 let name = match value.primitive() {
@@ -351,23 +351,23 @@ impl<'a> Evaluator<'a, '_> {
                     Some(Primitive::Text) => "string",
                     Some(Primitive::Bool) => "boolean",
                     None => match &value {
-                        Value::Undefined => "undefined",
-                        Value::Object(id) if self.closure(*id).is_some() => "function",
-                        Value::Object(id) if self.world.is_foreign(*id) => {
-                            return Value::Any(Primitive::Text);
+                        ScriptValue::Undefined => "undefined",
+                        ScriptValue::Object(id) if self.closure(*id).is_some() => "function",
+                        ScriptValue::Object(id) if self.world.is_foreign(*id) => {
+                            return ScriptValue::Any(Primitive::Text);
                         }
                         _ => "object",
                     },
                 };
-                Value::Text(Rc::new(ScriptText::made(name.to_string())))
+                ScriptValue::Text(Rc::new(KnownText::made(name.to_string())))
             }
-            (js::UnaryOperator::Void, _) => Value::Undefined,
-            (js::UnaryOperator::Delete, _) => Value::Bool(true),
-            _ => Value::Any(Primitive::Number),
+            (js::UnaryOperator::Void, _) => ScriptValue::Undefined,
+            (js::UnaryOperator::Delete, _) => ScriptValue::Bool(true),
+            _ => ScriptValue::Any(Primitive::Number),
         }
     }
 
-    fn binary(&mut self, scope: ScopeId, it: &'a js::BinaryExpression<'a>) -> Value {
+    fn binary(&mut self, scope: ScopeId, it: &'a js::BinaryExpression<'a>) -> ScriptValue {
         let left = self.expression(scope, &it.left);
         let right = self.expression(scope, &it.right);
         self.operate(it.operator, &left, &right, self.place(it.span))
@@ -377,64 +377,70 @@ impl<'a> Evaluator<'a, '_> {
     pub fn operate(
         &mut self,
         operator: js::BinaryOperator,
-        left: &Value,
-        right: &Value,
-        place: Place,
-    ) -> Value {
+        left: &ScriptValue,
+        right: &ScriptValue,
+        place: ScriptPlace,
+    ) -> ScriptValue {
         use js::BinaryOperator as Op;
         if operator.is_equality() {
             let equals = matches!(operator, Op::Equality | Op::StrictEquality);
             return match self.equality(left, right) {
-                Some(is_equal) => Value::Bool(is_equal == equals),
-                None => Value::Any(Primitive::Bool),
+                Some(is_equal) => ScriptValue::Bool(is_equal == equals),
+                None => ScriptValue::Any(Primitive::Bool),
             };
         }
         if matches!(operator, Op::Instanceof | Op::In) {
             return self.relation(operator, left, right);
         }
         if operator == Op::Addition {
-            let is_text = |v: &Value| v.primitive() == Some(Primitive::Text);
+            let is_text = |v: &ScriptValue| v.primitive() == Some(Primitive::Text);
             if is_text(left) || is_text(right) {
                 let mut text = self.as_text(left);
                 text.push(&self.as_text(right));
-                return Value::Text(Rc::new(text));
+                return ScriptValue::Text(Rc::new(text));
             }
-            let is_number = |v: &Value| v.primitive() == Some(Primitive::Number);
+            let is_number = |v: &ScriptValue| v.primitive() == Some(Primitive::Number);
             return match (left, right) {
-                (Value::Number(a), Value::Number(b)) => Value::Number(a + b),
-                _ if is_number(left) && is_number(right) => Value::Any(Primitive::Number),
-                (Value::Object(id), Value::Number(n)) | (Value::Number(n), Value::Object(id)) => {
+                (ScriptValue::Number(a), ScriptValue::Number(b)) => ScriptValue::Number(a + b),
+                _ if is_number(left) && is_number(right) => ScriptValue::Any(Primitive::Number),
+                (ScriptValue::Object(id), ScriptValue::Number(n))
+                | (ScriptValue::Number(n), ScriptValue::Object(id)) => {
                     let sum = ObjectKind::Foreign(crate::Source::Sum(*id, *n as i32));
-                    Value::Object(self.add(sum, place))
+                    ScriptValue::Object(self.add(sum, place))
                 }
                 _ => self.unknown(place),
             };
         }
-        let (Value::Number(a), Value::Number(b)) = (left, right) else {
-            return Value::Any(match operator.is_compare() {
+        let (ScriptValue::Number(a), ScriptValue::Number(b)) = (left, right) else {
+            return ScriptValue::Any(match operator.is_compare() {
                 true => Primitive::Bool,
                 false => Primitive::Number,
             });
         };
         match operator {
-            Op::Subtraction => Value::Number(a - b),
-            Op::Multiplication => Value::Number(a * b),
-            Op::Division => Value::Number(a / b),
-            Op::Remainder => Value::Number(a % b),
-            Op::Exponential => Value::Number(a.powf(*b)),
-            Op::LessThan => Value::Bool(a < b),
-            Op::LessEqualThan => Value::Bool(a <= b),
-            Op::GreaterThan => Value::Bool(a > b),
-            Op::GreaterEqualThan => Value::Bool(a >= b),
-            Op::ShiftLeft => Value::Number(((*a as i64 as i32) << (*b as u32 & 31)).into()),
-            Op::BitwiseAnd => Value::Number((*a as i64 as i32 & *b as i64 as i32).into()),
-            Op::BitwiseOR => Value::Number((*a as i64 as i32 | *b as i64 as i32).into()),
-            _ => Value::Any(Primitive::Number),
+            Op::Subtraction => ScriptValue::Number(a - b),
+            Op::Multiplication => ScriptValue::Number(a * b),
+            Op::Division => ScriptValue::Number(a / b),
+            Op::Remainder => ScriptValue::Number(a % b),
+            Op::Exponential => ScriptValue::Number(a.powf(*b)),
+            Op::LessThan => ScriptValue::Bool(a < b),
+            Op::LessEqualThan => ScriptValue::Bool(a <= b),
+            Op::GreaterThan => ScriptValue::Bool(a > b),
+            Op::GreaterEqualThan => ScriptValue::Bool(a >= b),
+            Op::ShiftLeft => ScriptValue::Number(((*a as i64 as i32) << (*b as u32 & 31)).into()),
+            Op::BitwiseAnd => ScriptValue::Number((*a as i64 as i32 & *b as i64 as i32).into()),
+            Op::BitwiseOR => ScriptValue::Number((*a as i64 as i32 | *b as i64 as i32).into()),
+            _ => ScriptValue::Any(Primitive::Number),
         }
     }
 
     /// `instanceof` and `in`
-    fn relation(&self, operator: js::BinaryOperator, left: &Value, right: &Value) -> Value {
+    fn relation(
+        &self,
+        operator: js::BinaryOperator,
+        left: &ScriptValue,
+        right: &ScriptValue,
+    ) -> ScriptValue {
         let object = right.object().and_then(|id| self.world.object(id));
         let known = match operator {
             js::BinaryOperator::In => {
@@ -453,7 +459,7 @@ impl<'a> Evaluator<'a, '_> {
                 _ => Some(false),
             },
         };
-        known.map_or(Value::Any(Primitive::Bool), Value::Bool)
+        known.map_or(ScriptValue::Any(Primitive::Bool), ScriptValue::Bool)
     }
 
     /// Whether an object is an instance of a function, if that is known.
@@ -477,19 +483,19 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// Whether two values are equal, if that is known.
-    fn equality(&self, left: &Value, right: &Value) -> Option<bool> {
-        let is_known = |v: &Value| match v {
-            Value::Any(_) => false,
-            Value::Text(text) => !text.is_open,
-            Value::Object(id) => !self.world.is_foreign(*id),
+    fn equality(&self, left: &ScriptValue, right: &ScriptValue) -> Option<bool> {
+        let is_known = |v: &ScriptValue| match v {
+            ScriptValue::Any(_) => false,
+            ScriptValue::Text(text) => !text.is_open,
+            ScriptValue::Object(id) => !self.world.is_foreign(*id),
             _ => true,
         };
-        let is_nothing = |v: &Value| matches!(v, Value::Undefined | Value::Null);
+        let is_nothing = |v: &ScriptValue| matches!(v, ScriptValue::Undefined | ScriptValue::Null);
         if is_nothing(left) && is_nothing(right) {
             return Some(true);
         }
         // A named constant of WebGL is equal to itself and to no other.
-        if let (Value::Object(a), Value::Object(b)) = (left, right) {
+        if let (ScriptValue::Object(a), ScriptValue::Object(b)) = (left, right) {
             let constant = |id: usize| match &self.world.object(id)?.kind {
                 ObjectKind::Foreign(crate::Source::Member(_, name)) => {
                     let is_constant = name
@@ -509,15 +515,15 @@ impl<'a> Evaluator<'a, '_> {
         (is_known(left) && is_known(right)).then_some(false)
     }
 
-    fn logical(&mut self, scope: ScopeId, it: &'a js::LogicalExpression<'a>) -> Value {
+    fn logical(&mut self, scope: ScopeId, it: &'a js::LogicalExpression<'a>) -> ScriptValue {
         let left = self.expression(scope, &it.left);
         self.world.optional.extend(left.object());
         let is_taken = match it.operator {
             js::LogicalOperator::And => self.truth(&left),
             js::LogicalOperator::Or => self.truth(&left).map(|flag| !flag),
             js::LogicalOperator::Coalesce => match &left {
-                Value::Undefined | Value::Null => Some(true),
-                Value::Object(id) if self.world.is_foreign(*id) => None,
+                ScriptValue::Undefined | ScriptValue::Null => Some(true),
+                ScriptValue::Object(id) if self.world.is_foreign(*id) => None,
                 _ => Some(false),
             },
         };
@@ -525,7 +531,7 @@ impl<'a> Evaluator<'a, '_> {
             Some(true) => self.expression(scope, &it.right),
             Some(false) => left,
             None => {
-                let mut way = |e: &mut Self| (Flow::Next, e.expression(scope, &it.right));
+                let mut way = |e: &mut Self| (StatementEnd::Next, e.expression(scope, &it.right));
                 let (_, right) = self.ways(&mut [&mut way]);
                 match it.operator {
                     js::LogicalOperator::And => right,
@@ -536,15 +542,21 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
-    fn conditional(&mut self, scope: ScopeId, it: &'a js::ConditionalExpression<'a>) -> Value {
+    fn conditional(
+        &mut self,
+        scope: ScopeId,
+        it: &'a js::ConditionalExpression<'a>,
+    ) -> ScriptValue {
         let test = self.expression(scope, &it.test);
         self.world.optional.extend(test.object());
         match self.truth(&test) {
             Some(true) => self.expression(scope, &it.consequent),
             Some(false) => self.expression(scope, &it.alternate),
             None => {
-                let mut one = |e: &mut Self| (Flow::Next, e.expression(scope, &it.consequent));
-                let mut other = |e: &mut Self| (Flow::Next, e.expression(scope, &it.alternate));
+                let mut one =
+                    |e: &mut Self| (StatementEnd::Next, e.expression(scope, &it.consequent));
+                let mut other =
+                    |e: &mut Self| (StatementEnd::Next, e.expression(scope, &it.alternate));
                 self.ways(&mut [&mut one, &mut other]).1
             }
         }

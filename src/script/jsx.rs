@@ -1,14 +1,14 @@
 //! Elements of JSX: each is a new object of its name, with its attributes and its children.
 
 use crate::evaluator::Evaluator;
-use crate::value::{Place, Value};
+use crate::value::{ScriptPlace, ScriptValue};
 use crate::world::ScopeId;
 use oxc_ast::ast as js;
 use oxc_span::GetSpan;
 use std::rc::Rc;
 
 impl<'a> Evaluator<'a, '_> {
-    pub fn element(&mut self, scope: ScopeId, it: &'a js::JSXElement<'a>) -> Value {
+    pub fn element(&mut self, scope: ScopeId, it: &'a js::JSXElement<'a>) -> ScriptValue {
         let place = self.place(it.span);
         let opening = &it.opening_element;
         let attributes = self.plain(self.place(opening.span));
@@ -31,7 +31,7 @@ impl<'a> Evaluator<'a, '_> {
         let children = self.element_children(scope, &it.children);
         let children = self.array(children, place);
         let arguments = vec![
-            (Value::Object(attributes), self.place(opening.span)),
+            (ScriptValue::Object(attributes), self.place(opening.span)),
             (children, place),
         ];
         let (callee, name) = self.element_type(scope, &opening.name);
@@ -54,8 +54,8 @@ impl<'a> Evaluator<'a, '_> {
                 Some(function) => {
                     self.run(
                         function,
-                        Value::Undefined,
-                        vec![(Value::Object(id), place)],
+                        ScriptValue::Undefined,
+                        vec![(ScriptValue::Object(id), place)],
                         place,
                     );
                 }
@@ -64,24 +64,24 @@ impl<'a> Evaluator<'a, '_> {
                     self.write(
                         &reference,
                         Some(current),
-                        Value::Object(id),
-                        Place::default(),
+                        ScriptValue::Object(id),
+                        ScriptPlace::default(),
                     );
                 }
             }
         }
-        Value::Object(id)
+        ScriptValue::Object(id)
     }
 
-    fn attribute(&mut self, scope: ScopeId, it: &'a js::JSXAttribute<'a>) -> Value {
+    fn attribute(&mut self, scope: ScopeId, it: &'a js::JSXAttribute<'a>) -> ScriptValue {
         match &it.value {
-            None => Value::Bool(true),
+            None => ScriptValue::Bool(true),
             Some(js::JSXAttributeValue::StringLiteral(text)) => self.quoted(text),
             Some(js::JSXAttributeValue::Element(element)) => self.element(scope, element),
             Some(js::JSXAttributeValue::ExpressionContainer(it)) => {
                 match it.expression.as_expression() {
                     Some(expression) => self.expression(scope, expression),
-                    None => Value::Undefined,
+                    None => ScriptValue::Undefined,
                 }
             }
             Some(js::JSXAttributeValue::Fragment(it)) => self.unknown(self.place(it.span)),
@@ -89,7 +89,11 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// The values of the children of an element.
-    pub fn element_children(&mut self, scope: ScopeId, all: &'a [js::JSXChild<'a>]) -> Vec<Value> {
+    pub fn element_children(
+        &mut self,
+        scope: ScopeId,
+        all: &'a [js::JSXChild<'a>],
+    ) -> Vec<ScriptValue> {
         let mut values = Vec::new();
         for child in all {
             match child {
@@ -113,7 +117,7 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         scope: ScopeId,
         name: &'a js::JSXElementName<'a>,
-    ) -> (Option<Value>, String) {
+    ) -> (Option<ScriptValue>, String) {
         let place = self.place(name.span());
         match name {
             js::JSXElementName::Identifier(it) => (None, it.name.to_string()),

@@ -3,7 +3,7 @@
 //! A program is followed from its first statement through its functions, classes and modules. Known values stay
 //! known; everything else has an identity, so that what is done with it can be followed. Of a condition that is
 //! not known both branches are evaluated, and what they change differently is unknown after them. What a program
-//! does with things outside of it (WebGL, libraries) is recorded in order as [`Event`]s.
+//! does with things outside of it (WebGL, libraries) is recorded in order as [`ScriptEvent`]s.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod assign;
@@ -20,8 +20,8 @@ mod value;
 mod world;
 
 pub use evaluator::{Loader, evaluate};
-pub use value::{ObjectId, Place, Primitive, ScriptText, Value};
+pub use value::{KnownText, ObjectId, Primitive, ScriptPlace, ScriptValue};
 pub use world::{
-    Call, Certainty, Closure, Event, EventId, EventKind, ObjectKind, Property, ScriptClass,
-    ScriptObject, Source, World,
+    Closure, EventCertainty, EventId, EventKind, ForeignCall, ObjectKind, Property, ScriptClass,
+    ScriptEvent, ScriptObject, Source, World,
 };

@@ -1,7 +1,7 @@
 //! Modules: imports and exports.
 
 use crate::evaluator::Evaluator;
-use crate::value::{ObjectId, Place, ScriptText, Value};
+use crate::value::{KnownText, ObjectId, ScriptPlace, ScriptValue};
 use crate::world::{ObjectKind, ScopeId, Source};
 use oxc_ast::ast as js;
 use oxc_parser::{ParseOptions, Parser};
@@ -43,18 +43,18 @@ impl<'a> Evaluator<'a, '_> {
         let number = self.world.files.len();
         self.world.files.push((path.clone(), text));
         let file = std::mem::replace(&mut self.file, number);
-        let exports = self.plain(Place {
+        let exports = self.plain(ScriptPlace {
             file: number,
-            ..Place::default()
+            ..ScriptPlace::default()
         });
         self.modules.push((path, exports));
         let scope = self.scope(None);
-        let module = Value::Object(exports);
+        let module = ScriptValue::Object(exports);
         self.declare(scope, EXPORTS, module.clone());
         self.declare(scope, "exports", module.clone());
-        let object = self.plain(Place::default());
-        self.define(object, "exports", module, Place::default());
-        self.declare(scope, "module", Value::Object(object));
+        let object = self.plain(ScriptPlace::default());
+        self.define(object, "exports", module, ScriptPlace::default());
+        self.declare(scope, "module", ScriptValue::Object(object));
         for statement in &program.body {
             if let js::Statement::ImportDeclaration(it) = statement {
                 self.import_declaration(scope, it);
@@ -67,7 +67,7 @@ impl<'a> Evaluator<'a, '_> {
         // `module.exports = ...`
         let replaced = self.world.property(object, "exports")?.value.clone();
         if replaced.object() != Some(exports) {
-            self.define(exports, "default", replaced.clone(), Place::default());
+            self.define(exports, "default", replaced.clone(), ScriptPlace::default());
             self.copy_properties(exports, &replaced);
         }
         Some(exports)
@@ -98,7 +98,7 @@ impl<'a> Evaluator<'a, '_> {
     }
 
     /// An export of a module.
-    fn exported(&mut self, module: &Value, name: &str, place: Place) -> Value {
+    fn exported(&mut self, module: &ScriptValue, name: &str, place: ScriptPlace) -> ScriptValue {
         let object = module.object().and_then(|id| self.world.object(id));
         let package = match object.map(|o| &o.kind) {
             Some(ObjectKind::Foreign(Source::Package(package, _))) => package.clone(),
@@ -111,14 +111,14 @@ impl<'a> Evaluator<'a, '_> {
                 };
             }
         };
-        Value::Object(self.add(
+        ScriptValue::Object(self.add(
             ObjectKind::Foreign(Source::Package(package, name.into())),
             place,
         ))
     }
 
     /// The module that a path means: the object of its exports.
-    pub fn import(&mut self, path: &str, place: Place) -> Value {
+    pub fn import(&mut self, path: &str, place: ScriptPlace) -> ScriptValue {
         let from = self
             .world
             .files
@@ -127,10 +127,10 @@ impl<'a> Evaluator<'a, '_> {
         let found = from.and_then(|from| self.loader.load(path, &from));
         let package = Source::Package(path.into(), "*".into());
         let Some((file, text)) = found else {
-            return Value::Object(self.add(ObjectKind::Foreign(package), place));
+            return ScriptValue::Object(self.add(ObjectKind::Foreign(package), place));
         };
         if let Some(exports) = self.module(file.clone(), text.clone()) {
-            return Value::Object(exports);
+            return ScriptValue::Object(exports);
         }
         if self.loader.script(&file, &text).is_some() {
             return self.unknown(place);
@@ -147,19 +147,23 @@ impl<'a> Evaluator<'a, '_> {
                 self.world.files.len() - 1
             }
         };
-        let written = Place {
+        let written = ScriptPlace {
             file: number,
             start: 0,
             end: text.len() as u32,
         };
         let exports = self.plain(written);
-        let value = Value::Text(Rc::new(ScriptText::written(&text, written)));
+        let value = ScriptValue::Text(Rc::new(KnownText::written(&text, written)));
         self.define(exports, "default", value, written);
-        Value::Object(exports)
+        ScriptValue::Object(exports)
     }
 
     /// `import(path)`
-    pub fn import_expression(&mut self, scope: ScopeId, it: &'a js::ImportExpression<'a>) -> Value {
+    pub fn import_expression(
+        &mut self,
+        scope: ScopeId,
+        it: &'a js::ImportExpression<'a>,
+    ) -> ScriptValue {
         let place = self.place(it.span);
         match self.expression(scope, &it.source).text() {
             Some(path) => self.import(path, place),
@@ -169,7 +173,7 @@ impl<'a> Evaluator<'a, '_> {
 
     /// Statements that export.
     pub fn module_item(&mut self, scope: ScopeId, statement: &'a js::Statement<'a>) {
-        let exports = self.name(scope, EXPORTS, Place::default());
+        let exports = self.name(scope, EXPORTS, ScriptPlace::default());
         let Some(exports) = exports.object() else {
             return;
         };

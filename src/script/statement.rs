@@ -1,45 +1,25 @@
 //! Statements.
 
+use crate::branch::StatementEnd;
 use crate::evaluator::Evaluator;
-use crate::value::Value;
+use crate::value::ScriptValue;
 use crate::world::ScopeId;
 use oxc_ast::ast as js;
 use oxc_span::GetSpan;
 
-/// How a statement ends.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Flow {
-    /// The next statement follows.
-    Next,
-    /// A loop or `switch` ends.
-    Break,
-    /// The next iteration follows.
-    Continue,
-    /// The function returns.
-    Return,
-    /// An exception is thrown.
-    Throw,
-}
-
-impl Flow {
-    pub fn ends_function(self) -> bool {
-        matches!(self, Flow::Return | Flow::Throw)
-    }
-}
-
 impl<'a> Evaluator<'a, '_> {
     /// The statements of a block; its functions are declared first.
-    pub fn statements(&mut self, scope: ScopeId, all: &'a [js::Statement<'a>]) -> Flow {
+    pub fn statements(&mut self, scope: ScopeId, all: &'a [js::Statement<'a>]) -> StatementEnd {
         for statement in all {
             self.hoist(scope, statement);
         }
         for statement in all {
             let flow = self.statement(scope, statement);
-            if flow != Flow::Next {
+            if flow != StatementEnd::Next {
                 return flow;
             }
         }
-        Flow::Next
+        StatementEnd::Next
     }
 
     /// Declares a function before the statements around it.
@@ -62,12 +42,16 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
-    pub fn statement(&mut self, scope: ScopeId, statement: &'a js::Statement<'a>) -> Flow {
+    pub fn statement(&mut self, scope: ScopeId, statement: &'a js::Statement<'a>) -> StatementEnd {
         let run = self.nested(|e| e.statement_inside(scope, statement));
-        run.unwrap_or(Flow::Next)
+        run.unwrap_or(StatementEnd::Next)
     }
 
-    fn statement_inside(&mut self, scope: ScopeId, statement: &'a js::Statement<'a>) -> Flow {
+    fn statement_inside(
+        &mut self,
+        scope: ScopeId,
+        statement: &'a js::Statement<'a>,
+    ) -> StatementEnd {
         match statement {
             js::Statement::BlockStatement(block) => {
                 let inner = self.scope(Some(scope));
@@ -87,19 +71,19 @@ impl<'a> Evaluator<'a, '_> {
             js::Statement::ReturnStatement(it) => {
                 let value = match &it.argument {
                     Some(argument) => self.expression(scope, argument),
-                    None => Value::Undefined,
+                    None => ScriptValue::Undefined,
                 };
                 if let Some(frame) = self.frames.last_mut() {
                     frame.results.push(value);
                 }
-                return Flow::Return;
+                return StatementEnd::Return;
             }
             js::Statement::ThrowStatement(it) => {
                 self.expression(scope, &it.argument);
-                return Flow::Throw;
+                return StatementEnd::Throw;
             }
-            js::Statement::BreakStatement(_) => return Flow::Break,
-            js::Statement::ContinueStatement(_) => return Flow::Continue,
+            js::Statement::BreakStatement(_) => return StatementEnd::Break,
+            js::Statement::ContinueStatement(_) => return StatementEnd::Continue,
             js::Statement::LabeledStatement(it) => return self.statement(scope, &it.body),
             js::Statement::TryStatement(it) => return self.attempt(scope, it),
             js::Statement::SwitchStatement(it) => return self.switch(scope, it),
@@ -118,7 +102,7 @@ impl<'a> Evaluator<'a, '_> {
                 return if flow.ends_function() {
                     flow
                 } else {
-                    Flow::Next
+                    StatementEnd::Next
                 };
             }
             js::Statement::ForStatement(it) => return self.for_loop(scope, it),
@@ -134,7 +118,7 @@ impl<'a> Evaluator<'a, '_> {
             }
             _ => self.module_item(scope, statement),
         }
-        Flow::Next
+        StatementEnd::Next
     }
 
     pub fn variables(&mut self, scope: ScopeId, it: &'a js::VariableDeclaration<'a>) {
@@ -143,34 +127,35 @@ impl<'a> Evaluator<'a, '_> {
                 Some(init) => self.expression(scope, init),
                 // A declared global of TypeScript.
                 None if it.declare => continue,
-                None => Value::Undefined,
+                None => ScriptValue::Undefined,
             };
             self.bind(scope, &declarator.id, value);
         }
     }
 
-    fn condition(&mut self, scope: ScopeId, it: &'a js::IfStatement<'a>) -> Flow {
+    fn condition(&mut self, scope: ScopeId, it: &'a js::IfStatement<'a>) -> StatementEnd {
         let test = self.expression(scope, &it.test);
         self.world.optional.extend(test.object());
         match (self.truth(&test), &it.alternate) {
             (Some(true), _) => self.statement(scope, &it.consequent),
             (Some(false), Some(other)) => self.statement(scope, other),
-            (Some(false), None) => Flow::Next,
+            (Some(false), None) => StatementEnd::Next,
             (None, None) => {
                 let mut then =
-                    |e: &mut Self| (e.statement(scope, &it.consequent), Value::Undefined);
+                    |e: &mut Self| (e.statement(scope, &it.consequent), ScriptValue::Undefined);
                 self.ways(&mut [&mut then]).0
             }
             (None, Some(other)) => {
                 let mut then =
-                    |e: &mut Self| (e.statement(scope, &it.consequent), Value::Undefined);
-                let mut otherwise = |e: &mut Self| (e.statement(scope, other), Value::Undefined);
+                    |e: &mut Self| (e.statement(scope, &it.consequent), ScriptValue::Undefined);
+                let mut otherwise =
+                    |e: &mut Self| (e.statement(scope, other), ScriptValue::Undefined);
                 self.ways(&mut [&mut then, &mut otherwise]).0
             }
         }
     }
 
-    fn attempt(&mut self, scope: ScopeId, it: &'a js::TryStatement<'a>) -> Flow {
+    fn attempt(&mut self, scope: ScopeId, it: &'a js::TryStatement<'a>) -> StatementEnd {
         let inner = self.scope(Some(scope));
         let flow = self.statements(inner, &it.block.body);
         if let Some(handler) = &it.handler {
@@ -180,7 +165,10 @@ impl<'a> Evaluator<'a, '_> {
                     let value = e.unknown(e.place(parameter.span));
                     e.bind(inner, &parameter.pattern, value);
                 }
-                (e.statements(inner, &handler.body.body), Value::Undefined)
+                (
+                    e.statements(inner, &handler.body.body),
+                    ScriptValue::Undefined,
+                )
             };
             self.ways(&mut [&mut catch]);
         }
@@ -189,22 +177,22 @@ impl<'a> Evaluator<'a, '_> {
             self.statements(inner, &last.body);
         }
         match flow {
-            Flow::Throw => Flow::Next,
+            StatementEnd::Throw => StatementEnd::Next,
             flow => flow,
         }
     }
 
     /// A `switch`: the cases from the one that is known to be equal, otherwise each case as a branch.
-    fn switch(&mut self, scope: ScopeId, it: &'a js::SwitchStatement<'a>) -> Flow {
+    fn switch(&mut self, scope: ScopeId, it: &'a js::SwitchStatement<'a>) -> StatementEnd {
         let value = self.expression(scope, &it.discriminant);
         let inner = self.scope(Some(scope));
         let mut tests = Vec::new();
         for case in &it.cases {
             tests.push(case.test.as_ref().map(|test| self.expression(inner, test)));
         }
-        let is_known = |v: &Value| v.text().is_some() || v.number().is_some();
+        let is_known = |v: &ScriptValue| v.text().is_some() || v.number().is_some();
         let is_constant =
-            |v: &Value| is_known(v) || self.world.call_of(v.object().unwrap_or(0)).is_none();
+            |v: &ScriptValue| is_known(v) || self.world.call_of(v.object().unwrap_or(0)).is_none();
         let equal = tests
             .iter()
             .position(|t| t.as_ref().is_some_and(|t| t.is_same(&value)));
@@ -213,25 +201,25 @@ impl<'a> Evaluator<'a, '_> {
         let run = |e: &mut Self, first: usize| {
             for case in it.cases.iter().skip(first) {
                 let flow = e.statements(inner, &case.consequent);
-                if flow != Flow::Next {
-                    return if flow == Flow::Break {
-                        Flow::Next
+                if flow != StatementEnd::Next {
+                    return if flow == StatementEnd::Break {
+                        StatementEnd::Next
                     } else {
                         flow
                     };
                 }
             }
-            Flow::Next
+            StatementEnd::Next
         };
         match equal.or(default.filter(|_| is_decided)) {
             Some(first) => run(self, first),
-            None if is_decided => Flow::Next,
+            None if is_decided => StatementEnd::Next,
             None => {
                 let mut all: Vec<_> = (0..it.cases.len())
-                    .map(|first| move |e: &mut Self| (run(e, first), Value::Undefined))
+                    .map(|first| move |e: &mut Self| (run(e, first), ScriptValue::Undefined))
                     .collect();
-                let mut nothing = |_: &mut Self| (Flow::Next, Value::Undefined);
-                let mut ways: Vec<crate::branch::Way<'_, 'a, '_>> = Vec::new();
+                let mut nothing = |_: &mut Self| (StatementEnd::Next, ScriptValue::Undefined);
+                let mut ways: Vec<crate::branch::BranchCode<'_, 'a, '_>> = Vec::new();
                 for way in &mut all {
                     ways.push(way);
                 }
@@ -243,7 +231,7 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
-    fn for_loop(&mut self, scope: ScopeId, it: &'a js::ForStatement<'a>) -> Flow {
+    fn for_loop(&mut self, scope: ScopeId, it: &'a js::ForStatement<'a>) -> StatementEnd {
         let inner = self.scope(Some(scope));
         match &it.init {
             Some(js::ForStatementInit::VariableDeclaration(variables)) => {
@@ -276,8 +264,8 @@ impl<'a> Evaluator<'a, '_> {
         &mut self,
         scope: ScopeId,
         (left, body): (&'a js::ForStatementLeft<'a>, &'a js::Statement<'a>),
-        (elements, is_open): (Vec<Value>, bool),
-    ) -> Flow {
+        (elements, is_open): (Vec<ScriptValue>, bool),
+    ) -> StatementEnd {
         let inner = self.scope(Some(scope));
         let mut elements = elements.into_iter();
         self.iterate(

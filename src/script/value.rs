@@ -8,7 +8,7 @@ pub type ObjectId = usize;
 
 /// A range in one of the files of a program; offsets in bytes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub struct Place {
+pub struct ScriptPlace {
     /// Index in [`World::files`](crate::World::files).
     pub file: usize,
     /// First byte.
@@ -19,7 +19,7 @@ pub struct Place {
 
 /// A value, as far as it is known.
 #[derive(Clone, Debug)]
-pub enum Value {
+pub enum ScriptValue {
     /// `undefined`, or nothing.
     Undefined,
     /// `null`
@@ -29,7 +29,7 @@ pub enum Value {
     /// A known number.
     Number(f64),
     /// A text.
-    Text(Rc<ScriptText>),
+    Text(Rc<KnownText>),
     /// A value of a known type.
     Any(Primitive),
     /// An object, or a value of which nothing is known.
@@ -47,11 +47,11 @@ pub enum Primitive {
     Text,
 }
 
-impl Value {
+impl ScriptValue {
     /// The object.
     pub fn object(&self) -> Option<ObjectId> {
         match self {
-            Value::Object(id) => Some(*id),
+            ScriptValue::Object(id) => Some(*id),
             _ => None,
         }
     }
@@ -59,7 +59,7 @@ impl Value {
     /// The text, unless parts of it are unknown.
     pub fn text(&self) -> Option<&str> {
         match self {
-            Value::Text(text) if !text.is_open => Some(&text.content),
+            ScriptValue::Text(text) if !text.is_open => Some(&text.content),
             _ => None,
         }
     }
@@ -67,7 +67,7 @@ impl Value {
     /// The number.
     pub fn number(&self) -> Option<f64> {
         match self {
-            Value::Number(number) => Some(*number),
+            ScriptValue::Number(number) => Some(*number),
             _ => None,
         }
     }
@@ -75,22 +75,25 @@ impl Value {
     /// The type, if it has no identity.
     pub fn primitive(&self) -> Option<Primitive> {
         match self {
-            Value::Bool(_) => Some(Primitive::Bool),
-            Value::Number(_) => Some(Primitive::Number),
-            Value::Text(_) => Some(Primitive::Text),
-            Value::Any(primitive) => Some(*primitive),
+            ScriptValue::Bool(_) => Some(Primitive::Bool),
+            ScriptValue::Number(_) => Some(Primitive::Number),
+            ScriptValue::Text(_) => Some(Primitive::Text),
+            ScriptValue::Any(primitive) => Some(*primitive),
             _ => None,
         }
     }
 
     /// Whether both are the same known value or the same object.
-    pub fn is_same(&self, other: &Value) -> bool {
+    pub fn is_same(&self, other: &ScriptValue) -> bool {
         match (self, other) {
-            (Value::Undefined, Value::Undefined) | (Value::Null, Value::Null) => true,
-            (Value::Bool(a), Value::Bool(b)) => a == b,
-            (Value::Number(a), Value::Number(b)) => a == b,
-            (Value::Text(a), Value::Text(b)) => !a.is_open && !b.is_open && a.content == b.content,
-            (Value::Object(a), Value::Object(b)) => a == b,
+            (ScriptValue::Undefined, ScriptValue::Undefined)
+            | (ScriptValue::Null, ScriptValue::Null) => true,
+            (ScriptValue::Bool(a), ScriptValue::Bool(b)) => a == b,
+            (ScriptValue::Number(a), ScriptValue::Number(b)) => a == b,
+            (ScriptValue::Text(a), ScriptValue::Text(b)) => {
+                !a.is_open && !b.is_open && a.content == b.content
+            }
+            (ScriptValue::Object(a), ScriptValue::Object(b)) => a == b,
             _ => false,
         }
     }
@@ -98,54 +101,54 @@ impl Value {
 
 /// A text with the places that its parts come from.
 #[derive(Clone, Debug, Default)]
-pub struct ScriptText {
+pub struct KnownText {
     /// The characters; of unknown parts there are none.
     pub content: String,
     /// The parts that are written in a file, in order.
-    pieces: Vec<Piece>,
+    pieces: Vec<WrittenPiece>,
     /// Whether parts are unknown.
     pub is_open: bool,
 }
 
 /// A part of a text that is written in a file.
 #[derive(Clone, Debug)]
-struct Piece {
+struct WrittenPiece {
     /// Offset in the text.
     at: usize,
-    place: Place,
+    place: ScriptPlace,
 }
 
-impl ScriptText {
+impl KnownText {
     /// A text that is written at a place. Where the lengths differ, it contains escapes.
-    pub fn written(content: &str, place: Place) -> ScriptText {
-        ScriptText {
+    pub fn written(content: &str, place: ScriptPlace) -> KnownText {
+        KnownText {
             content: content.to_string(),
-            pieces: vec![Piece { at: 0, place }],
+            pieces: vec![WrittenPiece { at: 0, place }],
             is_open: false,
         }
     }
 
     /// A text that is not written anywhere.
-    pub fn made(content: String) -> ScriptText {
-        ScriptText {
+    pub fn made(content: String) -> KnownText {
+        KnownText {
             content,
-            ..ScriptText::default()
+            ..KnownText::default()
         }
     }
 
     /// A text of which nothing is known.
-    pub fn unknown() -> ScriptText {
-        ScriptText {
+    pub fn unknown() -> KnownText {
+        KnownText {
             is_open: true,
-            ..ScriptText::default()
+            ..KnownText::default()
         }
     }
 
     /// Appends a text.
-    pub fn push(&mut self, other: &ScriptText) {
+    pub fn push(&mut self, other: &KnownText) {
         let at = self.content.len();
         self.content.push_str(&other.content);
-        let moved = other.pieces.iter().map(|piece| Piece {
+        let moved = other.pieces.iter().map(|piece| WrittenPiece {
             at: piece.at + at,
             place: piece.place,
         });
@@ -154,7 +157,7 @@ impl ScriptText {
     }
 
     /// A part of the text.
-    pub fn slice(&self, range: Range<usize>) -> ScriptText {
+    pub fn slice(&self, range: Range<usize>) -> KnownText {
         let content = self.content.get(range.clone()).unwrap_or("").to_string();
         let pieces = self.pieces.iter().enumerate().filter_map(|(index, piece)| {
             let next = self.pieces.get(index + 1);
@@ -162,15 +165,15 @@ impl ScriptText {
             let from = piece.at.max(range.start);
             let to = end.min(range.end);
             let moved = (from - piece.at) as u32;
-            (from < to).then(|| Piece {
+            (from < to).then(|| WrittenPiece {
                 at: from - range.start,
-                place: Place {
+                place: ScriptPlace {
                     start: (piece.place.start + moved).min(piece.place.end),
                     ..piece.place
                 },
             })
         });
-        ScriptText {
+        KnownText {
             content,
             pieces: pieces.collect(),
             is_open: self.is_open,
@@ -178,11 +181,11 @@ impl ScriptText {
     }
 
     /// Where a range of the text is written; `None` if nowhere.
-    pub fn place(&self, range: Range<usize>) -> Option<Place> {
+    pub fn place(&self, range: Range<usize>) -> Option<ScriptPlace> {
         let piece = self.pieces.iter().rev().find(|p| p.at <= range.start)?;
         let start = piece.place.start + (range.start - piece.at) as u32;
         let end = start + range.len() as u32;
-        (end <= piece.place.end).then_some(Place {
+        (end <= piece.place.end).then_some(ScriptPlace {
             start,
             end,
             ..piece.place
@@ -190,7 +193,7 @@ impl ScriptText {
     }
 
     /// Where the text begins in a file.
-    pub fn first_place(&self) -> Option<Place> {
+    pub fn first_place(&self) -> Option<ScriptPlace> {
         self.pieces.first().map(|piece| piece.place)
     }
 }

@@ -1,6 +1,6 @@
 //! The objects of a program and what it does with them.
 
-use crate::value::{ObjectId, Place, Value};
+use crate::value::{ObjectId, ScriptPlace, ScriptValue};
 use oxc_ast::ast as js;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -19,7 +19,7 @@ pub struct World<'a> {
     /// All objects.
     pub objects: Vec<ScriptObject<'a>>,
     /// Calls of functions outside of the program, and changes of objects.
-    pub events: Vec<Event>,
+    pub events: Vec<ScriptEvent>,
     /// The values of which `?.` reads something.
     pub optional: Vec<ObjectId>,
     /// Whether a budget ended the evaluation.
@@ -31,7 +31,7 @@ pub struct ScriptObject<'a> {
     /// What it is.
     pub kind: ObjectKind<'a>,
     /// The expression that made it.
-    pub place: Place,
+    pub place: ScriptPlace,
     /// The known properties in the order of their creation.
     pub properties: Vec<Property>,
     /// Whether it may have other properties or elements.
@@ -45,7 +45,7 @@ pub enum ObjectKind<'a> {
     /// An object of the program.
     Plain,
     /// An array with its elements.
-    Array(Vec<Value>),
+    Array(Vec<ScriptValue>),
     /// A function of the program.
     Function(Closure<'a>),
     /// A class of the program.
@@ -77,9 +77,9 @@ pub struct Property {
     /// Its name.
     pub key: Rc<str>,
     /// Its value; for a getter `Undefined`.
-    pub value: Value,
+    pub value: ScriptValue,
     /// Where the name is written.
-    pub place: Place,
+    pub place: ScriptPlace,
     /// Whether the object has it on all paths.
     pub is_sure: bool,
     /// The functions that read and write it.
@@ -91,7 +91,7 @@ pub struct Property {
 pub struct Closure<'a> {
     pub(crate) code: Code<'a>,
     pub(crate) scope: ScopeId,
-    pub(crate) this: Option<Value>,
+    pub(crate) this: Option<ScriptValue>,
     pub(crate) home: Option<ObjectId>,
     /// Index of its file.
     pub(crate) file: usize,
@@ -126,7 +126,7 @@ pub(crate) struct Method {
 
 /// How sure it is that something happens.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
-pub enum Certainty {
+pub enum EventCertainty {
     /// Always when the code around it runs.
     #[default]
     Sure,
@@ -138,23 +138,23 @@ pub enum Certainty {
 
 /// Something that a program does.
 #[derive(Clone, Debug)]
-pub struct Event {
+pub struct ScriptEvent {
     /// What.
     pub kind: EventKind,
     /// The expression.
-    pub place: Place,
+    pub place: ScriptPlace,
     /// How sure it is.
-    pub certainty: Certainty,
-    /// The number of the turn in which it happens: the module is the first, each function that something else
+    pub certainty: EventCertainty,
+    /// The number of the task in which it happens: the module is the first, each function that something else
     /// calls is another.
-    pub turn: usize,
+    pub task: usize,
 }
 
 /// What a program does.
 #[derive(Clone, Debug)]
 pub enum EventKind {
     /// A call of a function that is not of the program.
-    Call(Call),
+    Call(ForeignCall),
     /// A property is set.
     Write {
         /// Whose.
@@ -162,7 +162,7 @@ pub enum EventKind {
         /// Its name; `None` if that is not known.
         key: Option<Rc<str>>,
         /// The new value.
-        value: Value,
+        value: ScriptValue,
     },
     /// A property is read that an object of the program does not have.
     Missing {
@@ -177,7 +177,7 @@ pub enum EventKind {
 
 /// A call of a function that is not of the program.
 #[derive(Clone, Debug)]
-pub struct Call {
+pub struct ForeignCall {
     /// The object whose method is called.
     pub this: Option<ObjectId>,
     /// The last name of the function.
@@ -187,7 +187,7 @@ pub struct Call {
     /// Whether it is called with `new`, or is an element of JSX.
     pub is_new: bool,
     /// The known arguments, with their places.
-    pub arguments: Vec<(Value, Place)>,
+    pub arguments: Vec<(ScriptValue, ScriptPlace)>,
     /// Whether there may be other arguments.
     pub is_open: bool,
     /// The result.
@@ -206,12 +206,12 @@ impl<'a> World<'a> {
     }
 
     /// The value of a property of an object.
-    pub fn get(&self, value: &Value, key: &str) -> Option<&Value> {
+    pub fn get(&self, value: &ScriptValue, key: &str) -> Option<&ScriptValue> {
         Some(&self.property(value.object()?, key)?.value)
     }
 
     /// The elements of an array whose length is known.
-    pub fn elements(&self, value: &Value) -> Option<&[Value]> {
+    pub fn elements(&self, value: &ScriptValue) -> Option<&[ScriptValue]> {
         let object = self.object(value.object()?)?;
         match &object.kind {
             ObjectKind::Array(elements) if !object.is_open => Some(elements),
@@ -220,7 +220,7 @@ impl<'a> World<'a> {
     }
 
     /// The call whose result an object is.
-    pub fn call_of(&self, id: ObjectId) -> Option<&Call> {
+    pub fn call_of(&self, id: ObjectId) -> Option<&ForeignCall> {
         match &self.object(id)?.kind {
             ObjectKind::Foreign(Source::Event(event)) => match &self.events.get(*event)?.kind {
                 EventKind::Call(call) => Some(call),

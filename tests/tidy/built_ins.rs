@@ -18,7 +18,14 @@ const BELOW: &[&str] = &[
 ];
 
 /// Folders where the same words are wrap modes, kinds of inputs, or functions of other languages.
-const HOMONYMS: &[&str] = &["src/cli/", "src/play/", "src/port/", "src/project/"];
+const HOMONYMS: &[&str] = &[
+    "src/cli/",
+    "src/contract/",
+    "src/play/",
+    "src/port/",
+    "src/project/",
+    "src/script/",
+];
 
 /// Words that mean something else, by file. This list must only become shorter.
 const ALLOWED: &[(&str, &[&str])] = &[

@@ -85,6 +85,7 @@ const NAME_HOSTS: &[&str] = &[
     // The name of a canvas context is also the name of a host.
     "src/detect/embed/context.rs",
     "src/detect/embed/webgl.rs",
+    "src/contract/targets.rs",
     "src/engine/options.rs",
     "src/detect/embed/markdown.rs",
     "src/detect/kind/mod.rs",

@@ -22,7 +22,11 @@ fn laid_out(block: &str) -> String {
         0 => format!("{} {}", m.name, m.offset),
         stride => format!("{} {}/{stride}", m.name, m.offset),
     });
-    format!("{}: {}", layout.size, members.collect::<Vec<_>>().join(", "))
+    format!(
+        "{}: {}",
+        layout.size,
+        members.collect::<Vec<_>>().join(", ")
+    )
 }
 
 #[test]
@@ -33,6 +37,11 @@ fn members_of_blocks_are_where_chromium_puts_them() {
         .filter(|pair| laid_out(pair[0]) != pair[1])
         .map(|pair| format!("{}\n{}\n{}", pair[0], pair[1], laid_out(pair[0])))
         .collect();
-    assert!(wrong.is_empty(), "{} of 100\n{}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} of 100\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
     assert_eq!(lines.len(), 200);
 }

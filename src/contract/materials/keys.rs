@@ -1,14 +1,14 @@
 //! The uniforms that scripts give values: keys of objects, and calls of setters.
 
-use super::{Key, Material, values::wrong_value};
+use super::{Material, UniformKey, values::wrong_value};
 use crate::fit::misfit;
-use crate::library::{Boxing, Origin};
-use crate::shape::Shape;
-use shaderlint_script::{EventKind, ObjectKind, Source, Value, World};
+use crate::library::{Boxing, LibraryExport};
+use crate::shape::ValueShape;
+use shaderlint_script::{EventKind, ObjectKind, ScriptValue, Source, World};
 
 impl Material<'_> {
     /// Reads the uniforms of an object.
-    pub(super) fn read(&mut self, world: &World, value: &Value, depth: usize) {
+    pub(super) fn read(&mut self, world: &World, value: &ScriptValue, depth: usize) {
         let Some(object) = value.object().and_then(|id| world.object(id)) else {
             self.is_open = true;
             return;
@@ -33,7 +33,7 @@ impl Material<'_> {
                     let name = match self.maker.boxing {
                         Boxing::Named => {
                             let name = world.get(&property.value, "name");
-                            match name.and_then(Value::text) {
+                            match name.and_then(ScriptValue::text) {
                                 Some(name) => name.to_string(),
                                 None => {
                                     self.is_open = true;
@@ -44,7 +44,7 @@ impl Material<'_> {
                         _ => property.key.to_string(),
                     };
                     // `centers[0]`
-                    self.keys.push(Key {
+                    self.keys.push(UniformKey {
                         name,
                         value: property.value.clone(),
                         place: property.place,
@@ -54,6 +54,9 @@ impl Material<'_> {
             ObjectKind::Foreign(Source::Event(_)) if depth < 4 => {
                 let call = value.object().and_then(|id| world.call_of(id));
                 match call {
+                    Some(call) if call.is_new && &*call.name == "Map" => {
+                        self.read_map(world, call.arguments.first().map(|(value, _)| value));
+                    }
                     Some(call) if ["clone", "merge", "cloneUniforms"].contains(&&*call.name) => {
                         for (argument, _) in &call.arguments {
                             match world.elements(argument) {
@@ -69,6 +72,26 @@ impl Material<'_> {
                 }
             }
             _ => self.is_open = true,
+        }
+    }
+
+    /// Reads the uniforms in `new Map([[name, value]])`.
+    fn read_map(&mut self, world: &World, pairs: Option<&ScriptValue>) {
+        let Some(pairs) = pairs.and_then(|value| world.elements(value)) else {
+            self.is_open = true;
+            return;
+        };
+        for pair in pairs {
+            match world.elements(pair) {
+                Some([ScriptValue::Text(name), value]) if !name.is_open => {
+                    self.keys.push(UniformKey {
+                        name: name.content.clone(),
+                        value: value.clone(),
+                        place: name.first_place().unwrap_or(self.place),
+                    });
+                }
+                _ => self.is_open = true,
+            }
         }
     }
 
@@ -117,11 +140,11 @@ impl Material<'_> {
                 self.wrong.push(wrong_value(event.place, uniform, &wrong));
             }
             let value = if shape.is_some() {
-                Value::Undefined
+                ScriptValue::Undefined
             } else {
                 value.clone()
             };
-            self.keys.push(Key {
+            self.keys.push(UniformKey {
                 name,
                 value,
                 place: *place,
@@ -136,7 +159,7 @@ impl Material<'_> {
                     .any(|(value, _)| value.object() == Some(self.call.result));
                 let is_known = call
                     .callee
-                    .is_none_or(|id| Origin::of(world, Some(id)).is_some());
+                    .is_none_or(|id| LibraryExport::of(world, Some(id)).is_some());
                 gets && !is_known && call.this.is_none()
             }
             _ => false,
@@ -153,7 +176,7 @@ impl Material<'_> {
         for property in attributes.map_or(&[][..], |o| &o.properties) {
             let name = property.key.strip_prefix("uniforms-");
             if let Some(name) = name.and_then(|rest| rest.strip_suffix("-value")) {
-                self.keys.push(Key {
+                self.keys.push(UniformKey {
                     name: name.to_string(),
                     value: property.value.clone(),
                     place: property.place,
@@ -164,29 +187,29 @@ impl Material<'_> {
 }
 
 /// The type of value that a method sets: `setVector2`.
-pub(super) fn typed_setter(name: &str) -> Option<Shape> {
+pub(super) fn typed_setter(name: &str) -> Option<ValueShape> {
     let kind = name.strip_prefix("set")?;
     Some(match kind {
-        "Float" | "Int" | "UInt" => Shape::Number,
-        "Bool" => Shape::Bool,
+        "Float" | "Int" | "UInt" => ValueShape::Number,
+        "Bool" => ValueShape::Bool,
         "Vector2" | "Vector3" | "Vector4" | "Color3" | "Color4" | "Quaternion" => {
             let size = kind
                 .chars()
                 .last()
                 .and_then(|c| c.to_digit(10))
                 .unwrap_or(4);
-            Shape::Vector(size, kind.to_string())
+            ValueShape::Vector(size, kind.to_string())
         }
-        "Float2" | "Float3" | "Float4" => Shape::Numbers(
+        "Float2" | "Float3" | "Float4" => ValueShape::Numbers(
             kind.chars()
                 .last()
                 .and_then(|c| c.to_digit(10))
                 .map(|n| n as usize),
         ),
-        "Matrix" => Shape::Matrix(4, kind.to_string()),
-        "Matrix3x3" => Shape::Matrix(3, kind.to_string()),
-        "Matrix2x2" => Shape::Matrix(2, kind.to_string()),
-        "Texture" => Shape::Texture,
+        "Matrix" => ValueShape::Matrix(4, kind.to_string()),
+        "Matrix3x3" => ValueShape::Matrix(3, kind.to_string()),
+        "Matrix2x2" => ValueShape::Matrix(2, kind.to_string()),
+        "Texture" => ValueShape::Texture,
         "Floats"
         | "Array2"
         | "Array3"
@@ -195,7 +218,7 @@ pub(super) fn typed_setter(name: &str) -> Option<Shape> {
         | "TextureArray"
         | "Uniform"
         | "ExternalTexture"
-        | "TextureFromPostProcess" => Shape::Unknown,
+        | "TextureFromPostProcess" => ValueShape::Unknown,
         _ => return None,
     })
 }

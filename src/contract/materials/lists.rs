@@ -3,14 +3,14 @@
 use super::{Material, stored};
 use crate::breach::Breach;
 use crate::library::at;
-use shaderlint_script::{EventKind, Value, World};
+use shaderlint_script::{EventKind, ScriptValue, World};
 use shaderlint_semantic::Stage;
 
 impl Material<'_> {
     /// Checks the lists of names that a program is made with.
     pub(super) fn check_lists(&self, world: &World, found: &mut Vec<Breach>) {
         found.extend(self.wrong.iter().cloned());
-        let names = |value: &Value| -> Option<Vec<String>> {
+        let names = |value: &ScriptValue| -> Option<Vec<String>> {
             let all = world.elements(value)?.iter();
             all.map(|value| value.text().map(str::to_string)).collect()
         };
@@ -66,13 +66,13 @@ impl Material<'_> {
         for (index, stage) in [Stage::Vertex, Stage::Fragment].into_iter().enumerate() {
             let path = self.maker.stages.get(index).filter(|path| !path.is_empty());
             let name = path.and_then(|path| at(world, self.call, path));
-            let Some(name) = name.as_ref().and_then(Value::text) else {
+            let Some(name) = name.as_ref().and_then(ScriptValue::text) else {
                 continue;
             };
             let keys = world.events.iter().filter_map(|event| match &event.kind {
                 EventKind::Write {
                     key: Some(key),
-                    value: Value::Text(_),
+                    value: ScriptValue::Text(_),
                     ..
                 } => Some((key, event.place)),
                 _ => None,

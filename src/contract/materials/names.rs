@@ -1,10 +1,10 @@
 //! Names of uniforms: those that nothing sets, and those that no program has.
 
-use super::{Key, Material};
+use super::{Material, UniformKey};
 use crate::breach::{Breach, nearest};
-use crate::interface::Declared;
+use crate::interface::DeclaredInput;
 use crate::library::Boxing;
-use shaderlint_script::{EventKind, ObjectKind, Place, Source, World};
+use shaderlint_script::{EventKind, ObjectKind, ScriptPlace, Source, World};
 
 impl Material<'_> {
     pub(super) fn check_missing(
@@ -14,7 +14,7 @@ impl Material<'_> {
         found: &mut Vec<Breach>,
     ) {
         let own = |of: &Material, name: &str| {
-            let is_key = |key: &Key| key.name.split(['[', '.']).next() == Some(name);
+            let is_key = |key: &UniformKey| key.name.split(['[', '.']).next() == Some(name);
             of.keys.iter().any(is_key) || of.is_set_later(world, name)
         };
         // The same code may make it for several classes, of which each sets its own.
@@ -24,7 +24,7 @@ impl Material<'_> {
         let missing = all
             .iter()
             .filter(|u| !self.maker.gives(&u.name) && !sets(&u.name));
-        let missing: Vec<&Declared> = missing.copied().collect();
+        let missing: Vec<&DeclaredInput> = missing.copied().collect();
         let is_known = |name: &str| {
             self.stages.mention(name) || others.iter().any(|other| other.stages.mention(name))
         };
@@ -32,7 +32,7 @@ impl Material<'_> {
             let base = key.name.split(['[', '.']).next().unwrap_or("");
             !is_known(base)
         });
-        let strays: Vec<&Key> = strays.collect();
+        let strays: Vec<&UniformKey> = strays.collect();
         let mut named: Vec<&str> = Vec::new();
         for key in &strays {
             let names = missing.iter().map(|u| u.name.as_str());
@@ -85,7 +85,7 @@ impl Material<'_> {
     }
 
     /// A program without the uniform that its library sets.
-    fn without_required(&self, required: &str, sampler: Option<Place>) -> Breach {
+    fn without_required(&self, required: &str, sampler: Option<ScriptPlace>) -> Breach {
         let maker = &self.call.name;
         let message = format!("`{maker}` sets `{required}`, which has no uniform");
         Breach::new("unset-uniform", self.place, message)
@@ -233,7 +233,7 @@ impl Material<'_> {
         }
     }
 
-    pub(super) fn stray_access(&self, name: &str, place: Place) -> Breach {
+    pub(super) fn stray_access(&self, name: &str, place: ScriptPlace) -> Breach {
         let message = format!("the program has no uniform `{name}`");
         let names = self.keys.iter().map(|key| key.name.as_str());
         let near = nearest(name, names);

@@ -1,11 +1,11 @@
 //! Commands of regl: arguments, and arrays by their elements.
 
-use super::{Key, Material, values::wrong_value};
+use super::{Material, UniformKey, values::wrong_value};
 use crate::breach::{Breach, nearest};
 use crate::fit::misfit;
 use crate::library::Boxing;
-use crate::shape::Shape;
-use shaderlint_script::{EventKind, ObjectKind, Value, World};
+use crate::shape::ValueShape;
+use shaderlint_script::{EventKind, ObjectKind, ScriptValue, World};
 
 impl Material<'_> {
     /// Checks the arguments of a command of regl: `regl.prop('name')`.
@@ -35,7 +35,7 @@ impl Material<'_> {
                 };
                 let all = world
                     .elements(argument)
-                    .map_or(vec![argument.clone()], <[Value]>::to_vec);
+                    .map_or(vec![argument.clone()], <[ScriptValue]>::to_vec);
                 for props in all {
                     let object = props.object().and_then(|id| world.object(id));
                     let Some(object) =
@@ -56,7 +56,7 @@ impl Material<'_> {
                         continue;
                     };
                     let uniform = self.declared(&key.name).filter(|u| u.is_active);
-                    let shape = Shape::of(world, &property.value);
+                    let shape = ValueShape::of(world, &property.value);
                     if let Some(uniform) = uniform
                         && let Some(wrong) = misfit(&shape, uniform, self.maker.boxing)
                     {
@@ -74,7 +74,7 @@ impl Material<'_> {
             return;
         }
         for uniform in self.stages.active_uniforms() {
-            let set: Vec<&Key> = self
+            let set: Vec<&UniformKey> = self
                 .keys
                 .iter()
                 .filter(|key| {
@@ -83,7 +83,7 @@ impl Material<'_> {
                         .is_some_and(|rest| rest.starts_with('['))
                 })
                 .collect();
-            let index = |key: &&Key| {
+            let index = |key: &&UniformKey| {
                 let rest = key.name.get(uniform.name.len() + 1..)?;
                 rest.split(']').next()?.parse::<u32>().ok()
             };

@@ -3,7 +3,7 @@
 use super::Material;
 use crate::breach::Breach;
 use crate::webgl::{css_size, is_css_size};
-use shaderlint_script::{EventKind, ObjectId, ObjectKind, Place, Source, Value, World};
+use shaderlint_script::{EventKind, ObjectId, ObjectKind, ScriptPlace, ScriptValue, Source, World};
 
 impl Material<'_> {
     /// Checks sizes of the screen: `gl_FragCoord` counts device pixels.
@@ -27,7 +27,7 @@ impl Material<'_> {
                 continue;
             }
             let (value, _) = self.value(world, key);
-            let value = value.and_then(Value::object);
+            let value = value.and_then(ScriptValue::object);
             let mut sets = Vec::new();
             for event in &world.events {
                 let EventKind::Call(call) = &event.kind else {
@@ -50,7 +50,7 @@ impl Material<'_> {
             sets.extend(first.map(|call| (call, key.place)));
             for (call, place) in sets {
                 let all = call.arguments.get(..2).unwrap_or(&[]);
-                let is_css = |(value, _): &(Value, Place)| {
+                let is_css = |(value, _): &(ScriptValue, ScriptPlace)| {
                     is_css_size(world, value) || is_set_size(world, value)
                 };
                 if all.len() == 2 && all.iter().all(is_css) {
@@ -62,7 +62,7 @@ impl Material<'_> {
 }
 
 /// Whether a value is a size that `renderer.setSize` gets or `renderer.getSize` gives, both in CSS pixels.
-pub(super) fn is_set_size(world: &World, value: &Value) -> bool {
+pub(super) fn is_set_size(world: &World, value: &ScriptValue) -> bool {
     let given = world.events.iter().any(|event| match &event.kind {
         EventKind::Call(call) if &*call.name == "setSize" => call
             .arguments

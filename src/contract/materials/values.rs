@@ -3,10 +3,10 @@
 use super::Material;
 use crate::breach::Breach;
 use crate::fit::misfit;
-use crate::interface::Declared;
+use crate::interface::DeclaredInput;
 use crate::library::Boxing;
-use crate::shape::Shape;
-use shaderlint_script::{Certainty, EventKind, Place, Value, World};
+use crate::shape::ValueShape;
+use shaderlint_script::{EventCertainty, EventKind, ScriptPlace, ScriptValue, World};
 
 impl Material<'_> {
     pub(super) fn check_values(&self, world: &World, found: &mut Vec<Breach>) {
@@ -33,7 +33,7 @@ impl Material<'_> {
             let Some(value) = value.filter(|_| !is_element) else {
                 continue;
             };
-            let shape = Shape::of(world, value);
+            let shape = ValueShape::of(world, value);
             if let Some(wrong) = misfit(&shape, uniform, self.maker.boxing) {
                 // A placeholder until the first value is known.
                 if !self.is_written(world, key) {
@@ -55,7 +55,7 @@ impl Material<'_> {
             else {
                 continue;
             };
-            if event.certainty == Certainty::Alternative {
+            if event.certainty == EventCertainty::Alternative {
                 continue;
             }
             // `uniforms.name.value = ...`
@@ -63,7 +63,7 @@ impl Material<'_> {
             if let (Some(name), "value") = (&name, &**key)
                 && let Some(uniform) = self.declared(name).filter(|u| u.is_active)
             {
-                let shape = Shape::of(world, value);
+                let shape = ValueShape::of(world, value);
                 if let Some(wrong) = misfit(&shape, uniform, self.maker.boxing) {
                     found.push(wrong_value(event.place, uniform, &wrong));
                 }
@@ -73,8 +73,8 @@ impl Material<'_> {
             }
             let is_bare = value.primitive().is_some()
                 || matches!(
-                    Shape::of(world, value),
-                    Shape::Vector(..) | Shape::Matrix(..)
+                    ValueShape::of(world, value),
+                    ValueShape::Vector(..) | ValueShape::Matrix(..)
                 );
             // `uniforms.name = 1`
             if self.is_uniforms(world, *object) && is_bare && self.declared(key).is_some() {
@@ -103,7 +103,7 @@ impl Material<'_> {
     /// Checks the types that a script names: `{ value, type: 'vec2<f32>' }`.
     pub(super) fn check_named_types(&self, world: &World, found: &mut Vec<Breach>) {
         for key in &self.keys {
-            let named = world.get(&key.value, "type").and_then(Value::text);
+            let named = world.get(&key.value, "type").and_then(ScriptValue::text);
             let (Some(named), Some(uniform)) = (named, self.declared(&key.name)) else {
                 continue;
             };
@@ -144,7 +144,7 @@ impl Material<'_> {
 }
 
 /// A value that does not fit its uniform.
-pub(super) fn wrong_value(place: Place, uniform: &Declared, wrong: &str) -> Breach {
+pub(super) fn wrong_value(place: ScriptPlace, uniform: &DeclaredInput, wrong: &str) -> Breach {
     let message = format!(
         "uniform `{}` is a `{}`, but gets {wrong}",
         uniform.name, uniform.type_name

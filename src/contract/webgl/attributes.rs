@@ -1,17 +1,19 @@
 //! Attributes that scripts feed with WebGL.
 
-use super::{GlProgram, Location, Replay, argument};
+use super::replay::{GlLocation, GlProgram, GlReplay, argument, constant};
 use crate::breach::{Breach, nearest};
-use crate::interface::Declared;
+use crate::interface::DeclaredInput;
 use crate::shape::length;
-use shaderlint_script::{Call, Certainty, EventKind, ObjectId, Place, Value, World};
+use shaderlint_script::{
+    EventCertainty, EventKind, ForeignCall, ObjectId, ScriptPlace, ScriptValue, World,
+};
 use shaderlint_semantic::Scalar;
 use std::collections::{HashMap, HashSet};
 
 /// A pointer to the data of an attribute.
 struct Pointer<'w> {
-    place: Place,
-    attribute: &'w Declared,
+    place: ScriptPlace,
+    attribute: &'w DeclaredInput,
     column: i32,
     size: Option<f64>,
     /// Type of the data, as a constant of WebGL.
@@ -22,8 +24,8 @@ struct Pointer<'w> {
     offset: Option<f64>,
     /// The data of the buffer that is bound.
     data: Option<Data>,
-    certainty: Certainty,
-    turn: usize,
+    certainty: EventCertainty,
+    task: usize,
 }
 
 /// The data of a buffer.
@@ -64,14 +66,18 @@ fn types_of(class: &str) -> &'static [&'static str] {
     }
 }
 
-fn data(world: &World, value: &Value) -> Option<Data> {
+fn data(world: &World, value: &ScriptValue) -> Option<Data> {
     let id = value.object()?;
     let call = world
         .call_of(id)
         .filter(|call| call.is_new && call.name.ends_with("Array"))?;
     let first = argument(call, 0);
     let values = first.and_then(|value| world.elements(value));
-    let numbers = values.map(|all| all.iter().filter_map(Value::number).collect::<Vec<_>>());
+    let numbers = values.map(|all| {
+        all.iter()
+            .filter_map(ScriptValue::number)
+            .collect::<Vec<_>>()
+    });
     Some(Data {
         id,
         class: call.name.to_string(),
@@ -80,7 +86,7 @@ fn data(world: &World, value: &Value) -> Option<Data> {
 }
 
 /// Adds what is wrong with attributes.
-pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
+pub fn check(replay: &GlReplay, found: &mut Vec<Breach>) {
     let world = replay.world;
     let mut pointers: Vec<Pointer> = Vec::new();
     let mut enabled: HashMap<(ObjectId, String), HashSet<i32>> = HashMap::new();
@@ -93,12 +99,12 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
         };
         match &*call.name {
             "bindBuffer" => {
-                if super::constant(world, argument(call, 0)) == Some("ARRAY_BUFFER") {
-                    bound = argument(call, 1).and_then(Value::object);
+                if constant(world, argument(call, 0)) == Some("ARRAY_BUFFER") {
+                    bound = argument(call, 1).and_then(ScriptValue::object);
                 }
             }
             "bufferData" => {
-                if super::constant(world, argument(call, 0)) == Some("ARRAY_BUFFER")
+                if constant(world, argument(call, 0)) == Some("ARRAY_BUFFER")
                     && let Some(buffer) = bound
                 {
                     let data = argument(call, 1).and_then(|value| data(world, value));
@@ -113,7 +119,7 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
             | "vertexAttrib4fv"
             | "vertexAttrib3fv" => match replay.location(argument(call, 0)) {
                 Some((
-                    Location {
+                    GlLocation {
                         program,
                         name: Some(name),
                         ..
@@ -132,7 +138,7 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
                 match pointer(
                     replay,
                     call,
-                    (event.place, event.certainty, event.turn),
+                    (event.place, event.certainty, event.task),
                     data,
                 ) {
                     Some(pointer) => pointers.push(pointer),
@@ -143,7 +149,7 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
         }
     }
     for pointer in &pointers {
-        if pointer.certainty != Certainty::Alternative {
+        if pointer.certainty != EventCertainty::Alternative {
             found.extend(pointer.wrong_type());
             found.extend(pointer.layout(&pointers));
         }
@@ -158,9 +164,9 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
 }
 
 fn pointer<'w>(
-    replay: &'w Replay,
-    call: &Call,
-    (place, certainty, turn): (Place, Certainty, usize),
+    replay: &'w GlReplay,
+    call: &ForeignCall,
+    (place, certainty, task): (ScriptPlace, EventCertainty, usize),
     data: Option<Data>,
 ) -> Option<Pointer<'w>> {
     let (location, column) = replay.location(argument(call, 0))?;
@@ -177,15 +183,15 @@ fn pointer<'w>(
         place,
         attribute,
         column,
-        size: argument(call, 1).and_then(Value::number),
-        data_type: super::constant(replay.world, argument(call, 2)).map(str::to_string),
+        size: argument(call, 1).and_then(ScriptValue::number),
+        data_type: constant(replay.world, argument(call, 2)).map(str::to_string),
         is_integer,
-        is_normalized: !is_integer && !matches!(argument(call, 3), Some(Value::Bool(false))),
-        stride: argument(call, rest).and_then(Value::number),
-        offset: argument(call, rest + 1).and_then(Value::number),
+        is_normalized: !is_integer && !matches!(argument(call, 3), Some(ScriptValue::Bool(false))),
+        stride: argument(call, rest).and_then(ScriptValue::number),
+        offset: argument(call, rest + 1).and_then(ScriptValue::number),
         data,
         certainty,
-        turn,
+        task,
     })
 }
 
@@ -194,14 +200,14 @@ impl Pointer<'_> {
     fn wrong_type(&self) -> Option<Breach> {
         let scalar = self.attribute.scalar()?;
         let (name, type_name) = (&self.attribute.name, &self.attribute.type_name);
-        let wants_integer = matches!(scalar, Scalar::Int | Scalar::Uint);
+        let expects_integer = matches!(scalar, Scalar::Int | Scalar::Uint);
         let data_type = self.data_type.as_deref().unwrap_or("");
         let breach = |message: String| {
             let declared = format!("declared as `{type_name}`");
             Breach::new("attribute-data", self.place, message).label(self.attribute.place, declared)
         };
-        if wants_integer != self.is_integer {
-            let needed = match wants_integer {
+        if expects_integer != self.is_integer {
+            let needed = match expects_integer {
                 true => "vertexAttribIPointer",
                 false => "vertexAttribPointer",
             };
@@ -211,7 +217,7 @@ impl Pointer<'_> {
             );
         }
         let is_signed = matches!(data_type, "BYTE" | "SHORT" | "INT");
-        if wants_integer && bytes(data_type).is_some() && is_signed != (scalar == Scalar::Int) {
+        if expects_integer && bytes(data_type).is_some() && is_signed != (scalar == Scalar::Int) {
             let message =
                 format!("attribute `{name}` is a `{type_name}`, but its data is `{data_type}`");
             return Some(
@@ -283,7 +289,7 @@ impl Pointer<'_> {
         let same = all.iter().filter(|p| {
             p.data.as_ref().is_some_and(|d| d.id == data.id)
                 && p.stride == self.stride
-                && p.turn == self.turn
+                && p.task == self.task
         });
         let next = same
             .filter_map(|p| p.offset)

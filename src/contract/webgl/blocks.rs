@@ -1,9 +1,9 @@
 //! Uniform blocks: their names, and the buffers that fill them; samplers that share a texture unit.
 
-use super::{Replay, argument, constant, place_of};
+use super::replay::{GlReplay, argument, constant, place_of};
 use crate::breach::{Breach, nearest};
 use crate::shape::length;
-use shaderlint_script::{Call, EventKind, ObjectId, Place, Value, World};
+use shaderlint_script::{EventKind, ForeignCall, ObjectId, ScriptPlace, ScriptValue, World};
 use shaderlint_semantic::{Base, BlockLayout, Sampler};
 use std::collections::HashMap;
 
@@ -13,15 +13,15 @@ struct Buffers {
     /// The buffer that is bound for uniforms.
     bound: Option<ObjectId>,
     /// By buffer: its bytes, with the place where it is filled.
-    sizes: HashMap<ObjectId, (f64, Place)>,
+    sizes: HashMap<ObjectId, (f64, ScriptPlace)>,
     /// By binding: the buffer.
     bindings: HashMap<u32, ObjectId>,
     /// Parts that are written: the buffer, the first byte and the place.
-    parts: Vec<(ObjectId, f64, Place)>,
+    parts: Vec<(ObjectId, f64, ScriptPlace)>,
 }
 
 /// Adds what is wrong with uniform blocks.
-pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
+pub fn check(replay: &GlReplay, found: &mut Vec<Breach>) {
     let world = replay.world;
     let mut buffers = Buffers::default();
     // By result of `getUniformBlockIndex`: the program and the name.
@@ -33,8 +33,8 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
         };
         match &*call.name {
             "getUniformBlockIndex" => {
-                let program = argument(call, 0).and_then(Value::object);
-                let name = argument(call, 1).and_then(Value::text);
+                let program = argument(call, 0).and_then(ScriptValue::object);
+                let name = argument(call, 1).and_then(ScriptValue::text);
                 if let (Some(program), Some(name)) = (program, name) {
                     let place = place_of(call, 1).unwrap_or(event.place);
                     found.extend(unknown_block(replay, program, name, place));
@@ -42,8 +42,8 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
                 }
             }
             "uniformBlockBinding" => {
-                let index = argument(call, 1).and_then(Value::object);
-                let binding = argument(call, 2).and_then(Value::number);
+                let index = argument(call, 1).and_then(ScriptValue::object);
+                let binding = argument(call, 2).and_then(ScriptValue::number);
                 if let (Some((program, name)), Some(binding)) =
                     (index.and_then(|id| indices.get(&id)), binding)
                 {
@@ -66,7 +66,12 @@ pub fn check(replay: &Replay, found: &mut Vec<Breach>) {
 }
 
 /// A block that no shader declares.
-fn unknown_block(replay: &Replay, program: ObjectId, name: &str, place: Place) -> Option<Breach> {
+fn unknown_block(
+    replay: &GlReplay,
+    program: ObjectId,
+    name: &str,
+    place: ScriptPlace,
+) -> Option<Breach> {
     let program = replay.programs.get(&program).filter(|p| !p.is_open)?;
     let names: Vec<&str> = program.stages.all().flat_map(|s| s.block_names()).collect();
     if names.contains(&name) {
@@ -81,16 +86,16 @@ fn unknown_block(replay: &Replay, program: ObjectId, name: &str, place: Place) -
 }
 
 impl Buffers {
-    fn follow(&mut self, world: &World, call: &Call, place: Place) {
+    fn follow(&mut self, world: &World, call: &ForeignCall, place: ScriptPlace) {
         let is_uniform = constant(world, argument(call, 0)) == Some("UNIFORM_BUFFER");
         if !is_uniform {
             return;
         }
         match &*call.name {
-            "bindBuffer" => self.bound = argument(call, 1).and_then(Value::object),
+            "bindBuffer" => self.bound = argument(call, 1).and_then(ScriptValue::object),
             "bindBufferBase" => {
-                let binding = argument(call, 1).and_then(Value::number);
-                let buffer = argument(call, 2).and_then(Value::object);
+                let binding = argument(call, 1).and_then(ScriptValue::number);
+                let buffer = argument(call, 2).and_then(ScriptValue::object);
                 if let (Some(binding), Some(buffer)) = (binding, buffer) {
                     self.bindings.insert(binding as u32, buffer);
                     self.bound = Some(buffer);
@@ -98,7 +103,7 @@ impl Buffers {
             }
             "bufferData" => {
                 let bytes = match argument(call, 1) {
-                    Some(Value::Number(bytes)) => Some(*bytes),
+                    Some(ScriptValue::Number(bytes)) => Some(*bytes),
                     value => value.and_then(|value| byte_length(world, value)),
                 };
                 if let (Some(buffer), Some(bytes)) = (self.bound, bytes) {
@@ -107,7 +112,7 @@ impl Buffers {
                 }
             }
             "bufferSubData" => {
-                let offset = argument(call, 1).and_then(Value::number);
+                let offset = argument(call, 1).and_then(ScriptValue::number);
                 if let (Some(buffer), Some(offset)) = (self.bound, offset) {
                     self.parts
                         .push((buffer, offset, place_of(call, 1).unwrap_or(place)));
@@ -120,7 +125,7 @@ impl Buffers {
     fn check(
         &self,
         buffer: ObjectId,
-        (name, layout, declared): (&str, &BlockLayout, Option<Place>),
+        (name, layout, declared): (&str, &BlockLayout, Option<ScriptPlace>),
         found: &mut Vec<Breach>,
     ) {
         if let Some((bytes, place)) = self.sizes.get(&buffer)
@@ -161,7 +166,7 @@ impl Buffers {
 }
 
 /// The bytes of a typed array.
-fn byte_length(world: &World, value: &Value) -> Option<f64> {
+fn byte_length(world: &World, value: &ScriptValue) -> Option<f64> {
     let call = world.call_of(value.object()?).filter(|call| call.is_new)?;
     let first = argument(call, 0);
     let bytes = match &*call.name {
@@ -184,8 +189,8 @@ fn offsets(layout: &BlockLayout) -> String {
 }
 
 /// Reports samplers of different types that read the same texture unit.
-fn check_units(replay: &Replay, found: &mut Vec<Breach>) {
-    let mut units: HashMap<(ObjectId, u32), (Sampler, String, Place)> = HashMap::new();
+fn check_units(replay: &GlReplay, found: &mut Vec<Breach>) {
+    let mut units: HashMap<(ObjectId, u32), (Sampler, String, ScriptPlace)> = HashMap::new();
     for event in &replay.world.events {
         let EventKind::Call(call) = &event.kind else {
             continue;
@@ -196,7 +201,7 @@ fn check_units(replay: &Replay, found: &mut Vec<Breach>) {
         let Some((id, Some(name), _)) = replay.uniform_location(argument(call, 0)) else {
             continue;
         };
-        let unit = argument(call, 1).and_then(Value::number);
+        let unit = argument(call, 1).and_then(ScriptValue::number);
         let program = replay.programs.get(&id).filter(|p| !p.is_open);
         let uniform = program
             .and_then(|p| p.stages.uniform(&name))

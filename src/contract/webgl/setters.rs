@@ -1,6 +1,6 @@
 //! The functions of WebGL that set uniforms.
 
-use crate::interface::Declared;
+use crate::interface::DeclaredInput;
 use shaderlint_semantic::{Base, Scalar};
 
 /// A function that sets a uniform: `uniform3fv`, `uniformMatrix4fv`.
@@ -51,7 +51,7 @@ impl Setter {
     }
 
     /// The setter for a uniform.
-    fn of(uniform: &Declared, is_array: bool) -> Option<Setter> {
+    fn of(uniform: &DeclaredInput, is_array: bool) -> Option<Setter> {
         if uniform.is_sampler() {
             return Some(Setter {
                 columns: 1,
@@ -77,7 +77,7 @@ impl Setter {
     }
 
     /// Whether it sets a uniform of this type; `None` for structs, whose members are set.
-    pub fn fits(self, uniform: &Declared) -> Option<bool> {
+    pub fn fits(self, uniform: &DeclaredInput) -> Option<bool> {
         let needed = Setter::of(uniform, self.is_array)?;
         let is_bool = needed.scalar == Scalar::Bool;
         Some(
@@ -87,7 +87,7 @@ impl Setter {
     }
 
     /// The name of the setter that a uniform needs.
-    pub fn name_for(self, uniform: &Declared) -> Option<String> {
+    pub fn name_for(self, uniform: &DeclaredInput) -> Option<String> {
         let Setter {
             columns,
             rows,

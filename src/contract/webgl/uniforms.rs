@@ -1,12 +1,13 @@
 //! Uniforms that scripts set with WebGL.
 
+use super::replay::{GlLocation, GlProgram, GlReplay, argument, place_of};
 use super::setters::Setter;
-use super::{GlProgram, Location, Replay, argument, place_of};
 use crate::breach::{Breach, nearest};
-use crate::interface::Declared;
-use crate::shape::Shape;
+use crate::interface::DeclaredInput;
+use crate::shape::ValueShape;
 use shaderlint_script::{
-    Call, Certainty, Event, EventKind, ObjectId, ObjectKind, Place, Source, Value, World,
+    EventCertainty, EventKind, ForeignCall, ObjectId, ObjectKind, ScriptEvent, ScriptPlace,
+    ScriptValue, Source, World,
 };
 
 /// The name of the uniform that `lights[0].color` is a part of.
@@ -25,7 +26,7 @@ const CSS_SIZES: &[&str] = &[
 ];
 
 /// Whether a value is a size in CSS pixels.
-pub fn is_css_size(world: &World, value: &Value) -> bool {
+pub fn is_css_size(world: &World, value: &ScriptValue) -> bool {
     let object = value.object().and_then(|id| world.object(id));
     match object.map(|o| &o.kind) {
         Some(ObjectKind::Foreign(Source::Member(_, name) | Source::Global(name))) => {
@@ -45,27 +46,27 @@ pub fn uses_pixel_ratio(world: &World) -> bool {
     })
 }
 
-impl Replay<'_> {
+impl GlReplay<'_> {
     /// The location that a value is, also one of a table by names.
     pub fn uniform_location(
         &self,
-        value: Option<&Value>,
-    ) -> Option<(ObjectId, Option<String>, Place)> {
+        value: Option<&ScriptValue>,
+    ) -> Option<(ObjectId, Option<String>, ScriptPlace)> {
         if let Some((location, _)) = self.location(value).filter(|(l, _)| !l.is_attribute) {
             return Some((location.program, location.name.clone(), location.place));
         }
         match &self.world.object(value?.object()?)?.kind {
             ObjectKind::Foreign(Source::Member(table, name)) => {
                 let program = self.tables.get(table)?;
-                Some((*program, Some(name.to_string()), Place::default()))
+                Some((*program, Some(name.to_string()), ScriptPlace::default()))
             }
             _ => None,
         }
     }
 
     /// Checks a call that looks up a name.
-    pub fn check_lookup(&mut self, call: &Call) {
-        let Some(Location {
+    pub fn check_lookup(&mut self, call: &ForeignCall) {
+        let Some(GlLocation {
             program,
             name: Some(name),
             is_attribute,
@@ -122,7 +123,7 @@ impl Replay<'_> {
     }
 
     /// Checks a call that sets a uniform.
-    pub fn check_setter(&mut self, call: &Call, event: &Event) {
+    pub fn check_setter(&mut self, call: &ForeignCall, event: &ScriptEvent) {
         let Some(setter) = Setter::named(&call.name) else {
             return;
         };
@@ -152,7 +153,7 @@ impl Replay<'_> {
                 .note("the location is null, so setting it has no effect");
             return self.verdicts.bad(breach);
         };
-        if !uniform.is_active || event.certainty == Certainty::Alternative {
+        if !uniform.is_active || event.certainty == EventCertainty::Alternative {
             return self.verdicts.good(place);
         }
         let breach = self
@@ -174,10 +175,10 @@ impl Replay<'_> {
     fn wrong_setter(
         &self,
         setter: Setter,
-        call: &Call,
-        uniform: &Declared,
+        call: &ForeignCall,
+        uniform: &DeclaredInput,
         name: &str,
-        place: Place,
+        place: ScriptPlace,
     ) -> Option<Breach> {
         let has_member = name.contains('.');
         if has_member || uniform.is_struct() {
@@ -206,7 +207,8 @@ impl Replay<'_> {
         if call.arguments.len() > data + 1 {
             return None;
         }
-        let Shape::Numbers(Some(length)) = Shape::of(self.world, argument(call, data)?) else {
+        let ValueShape::Numbers(Some(length)) = ValueShape::of(self.world, argument(call, data)?)
+        else {
             return None;
         };
         let size = setter.components();
@@ -225,7 +227,12 @@ impl Replay<'_> {
         Some(breach)
     }
 
-    fn wrong_program(&self, program: &GlProgram, uniform: &Declared, place: Place) -> Breach {
+    fn wrong_program(
+        &self,
+        program: &GlProgram,
+        uniform: &DeclaredInput,
+        place: ScriptPlace,
+    ) -> Breach {
         let current = self
             .current
             .ok()
@@ -248,15 +255,15 @@ impl Replay<'_> {
     fn css_size(
         &self,
         setter: Setter,
-        call: &Call,
+        call: &ForeignCall,
         program: &GlProgram,
-        uniform: &Declared,
-        place: Place,
+        uniform: &DeclaredInput,
+        place: ScriptPlace,
     ) -> Option<Breach> {
         let all = call.arguments.get(1..)?;
         let is_css =
             setter.rows >= 2 && all.iter().take(2).all(|(v, _)| is_css_size(self.world, v));
-        let divides = |uniform: &Declared| {
+        let divides = |uniform: &DeclaredInput| {
             let fragment = program.stages.fragment.as_ref();
             fragment.is_some_and(|s| s.divides_coordinates(&uniform.name))
         };
@@ -306,7 +313,7 @@ impl Replay<'_> {
                     continue;
                 }
                 // A name that is looked up wrongly is reported there.
-                let is_misspelt = self.verdicts.0.values().flatten().any(|breach| {
+                let is_misspelled = self.verdicts.0.values().flatten().any(|breach| {
                     let help = breach.help.as_deref().unwrap_or("");
                     breach.rule == "unknown-uniform"
                         && help.contains(&format!("`{}`", uniform.name))
@@ -316,7 +323,7 @@ impl Replay<'_> {
                         && l.name.as_deref().map(base) == Some(&uniform.name)
                         && self.escapes(l)
                 });
-                if is_misspelt || is_elsewhere {
+                if is_misspelled || is_elsewhere {
                     continue;
                 }
                 let message = format!("uniform `{}` is never set", uniform.name);
@@ -330,7 +337,7 @@ impl Replay<'_> {
     }
 
     /// Whether a location may be used by code that is not followed.
-    fn escapes(&self, location: &Location) -> bool {
+    fn escapes(&self, location: &GlLocation) -> bool {
         let id = self
             .locations
             .iter()
@@ -351,7 +358,7 @@ impl Replay<'_> {
 }
 
 /// A size in CSS pixels for a shader that divides `gl_FragCoord` by it.
-pub fn css_size(uniform: &Declared, place: Place) -> Breach {
+pub fn css_size(uniform: &DeclaredInput, place: ScriptPlace) -> Breach {
     let message = format!("uniform `{}` is a size in CSS pixels", uniform.name);
     Breach::new("screen-size", place, message)
         .label(uniform.place, "`gl_FragCoord` is divided by it")

@@ -1,7 +1,7 @@
 //! What the program around the shaders of a script sets, compared with what they declare.
 
 use super::stage::FileCheck;
-use shaderlint_contract::Breach;
+use shaderlint_contract::{Breach, may_make_programs};
 use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code};
 use shaderlint_detect::kind::{FileKind, file_extension};
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Origin, Severity, error};
@@ -9,7 +9,7 @@ use shaderlint_host::chunk_libraries;
 use shaderlint_lint::Settings;
 use shaderlint_project::{FileCache, Files, installed_release, meant};
 use shaderlint_rules::rule;
-use shaderlint_script::{Loader, Place};
+use shaderlint_script::{Loader, ScriptPlace};
 use shaderlint_text::{FileId, Role, Span};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -28,26 +28,6 @@ const EXTENSIONS: &[&str] = &[
     "/index.tsx",
 ];
 
-/// A script that makes programs of shaders contains one of these.
-const SIGNS: &[&str] = &[
-    "haderMaterial",
-    "fragmentShader",
-    "createProgram",
-    "ProgramInfo",
-    "getUniformLocation",
-    "onBeforeCompile",
-    "ShaderPass",
-    "createShader",
-    "new Program",
-    "glProgram",
-    "Filter",
-    "regl",
-    "Effect",
-    "vertexShader",
-    "new Shader",
-    "Shader.from",
-];
-
 /// The errors of linking.
 const LINK_ERRORS: &[ErrorKind] = &[
     error::LINK_VERSION,
@@ -58,16 +38,16 @@ const LINK_ERRORS: &[ErrorKind] = &[
 ];
 
 /// Finds modules among the files of a repository.
-struct Modules<'a> {
+struct ProgramModules<'a> {
     files: &'a dyn Files,
     cache: &'a FileCache,
 }
 
-impl Loader for Modules<'_> {
+impl Loader for ProgramModules<'_> {
     fn load(&self, path: &str, from: &Path) -> Option<(PathBuf, Arc<str>)> {
         let top = self.cache.top(from, self.files);
         // What starts with a name is a package, unless a bundler maps it to a folder.
-        let is_near = path.starts_with(['.', '/', '@', '~', '#']) || path.contains('/');
+        let is_near = path.starts_with(['.', '/', '@', '~', '#']) || path.contains(['/', '.']);
         let all = meant(path, from, &top).into_iter().filter(|_| is_near);
         let named = all.flat_map(|path| {
             // `./a.js` may be compiled from `./a.ts`.
@@ -107,10 +87,10 @@ pub fn report(file: &mut FileCheck) {
     let Some(text) = text.filter(|_| is_script).map(|f| f.text.clone()) else {
         return;
     };
-    if !SIGNS.iter().any(|sign| text.contains(sign)) {
+    if !may_make_programs(&text) {
         return;
     }
-    let modules = Modules {
+    let modules = ProgramModules {
         files: file.context.files,
         cache: &file.context.options.file_cache,
     };
@@ -124,7 +104,7 @@ pub fn report(file: &mut FileCheck) {
         *first = file.report.file;
     }
     for breach in contract.breaches {
-        let mut span = |place: Place| {
+        let mut span = |place: ScriptPlace| {
             let id = ids.get_mut(place.file)?;
             if id.is_none() {
                 let (path, text) = contract.files.get(place.file)?;

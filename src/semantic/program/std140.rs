@@ -54,7 +54,7 @@ impl BlockLayout {
             let path = format!("{prefix}{}", program.names.text(field.name));
             end = found.place(program, (&path, field.ty, by_rows), end)?;
         }
-        found.size = end.next_multiple_of(ROW);
+        found.size = end;
         Some(found)
     }
 

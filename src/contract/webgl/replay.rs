@@ -1,18 +1,10 @@
-//! Programs that scripts make with WebGL itself: the calls are replayed in their order.
-
-mod attributes;
-mod blocks;
-mod setters;
-mod uniforms;
-
-pub use uniforms::{css_size, is_css_size};
+//! The calls of WebGL, replayed in their order.
 
 use crate::breach::Breach;
 use crate::interface::{ShaderInterface, Stages};
-use crate::link;
 use shaderlint_script::{
-    Call, Certainty, Event, EventKind, ObjectId, ObjectKind, Place, ScriptText, Source, Value,
-    World,
+    EventCertainty, EventKind, ForeignCall, KnownText, ObjectId, ObjectKind, ScriptEvent,
+    ScriptPlace, ScriptValue, Source, World,
 };
 use shaderlint_semantic::Stage;
 use std::collections::HashMap;
@@ -20,112 +12,78 @@ use std::rc::Rc;
 
 /// A program.
 #[derive(Default)]
-struct GlProgram {
+pub struct GlProgram {
     /// The shaders that are attached.
-    shaders: Vec<ObjectId>,
-    stages: Stages,
+    pub shaders: Vec<ObjectId>,
+    pub stages: Stages,
     /// Whether a shader is not known.
-    is_open: bool,
-    place: Place,
+    pub is_open: bool,
+    pub place: ScriptPlace,
     /// Whether it is put in use.
-    is_used: bool,
+    pub is_used: bool,
     /// Whether something is drawn with it.
-    is_drawn: bool,
+    pub is_drawn: bool,
     /// The names of attributes by location.
-    bound: Vec<(Option<f64>, Option<String>, Place)>,
+    pub bound: Vec<(Option<f64>, Option<String>, ScriptPlace)>,
     /// What transform feedback captures.
-    captured: Vec<(String, Place)>,
+    pub captured: Vec<(String, ScriptPlace)>,
 }
 
 /// A location that a script looks up.
-struct Location {
-    program: ObjectId,
+pub struct GlLocation {
+    pub program: ObjectId,
     /// The name; `None` if it is not known.
-    name: Option<String>,
-    is_attribute: bool,
-    place: Place,
+    pub name: Option<String>,
+    pub is_attribute: bool,
+    pub place: ScriptPlace,
     /// Whether the name comes from a list, which may be for several programs.
-    is_listed: bool,
+    pub is_listed: bool,
 }
 
 /// Places at which something is wrong each time that they are evaluated.
 #[derive(Default)]
-struct Verdicts(HashMap<Place, Option<Breach>>);
+pub struct Verdicts(pub HashMap<ScriptPlace, Option<Breach>>);
 
 impl Verdicts {
     /// Something is wrong at a place.
-    fn bad(&mut self, breach: Breach) {
+    pub fn bad(&mut self, breach: Breach) {
         self.0.entry(breach.place).or_insert(Some(breach));
     }
 
     /// Nothing is wrong at a place, at least once.
-    fn good(&mut self, place: Place) {
+    pub fn good(&mut self, place: ScriptPlace) {
         self.0.insert(place, None);
     }
 }
 
 /// The state of WebGL while the calls are replayed.
-struct Replay<'w> {
-    world: &'w World<'w>,
-    sources: HashMap<ObjectId, Option<Rc<ScriptText>>>,
-    stages: HashMap<ObjectId, Option<Stage>>,
-    programs: HashMap<ObjectId, GlProgram>,
-    locations: HashMap<ObjectId, Location>,
+pub struct GlReplay<'w> {
+    pub world: &'w World<'w>,
+    pub sources: HashMap<ObjectId, Option<Rc<KnownText>>>,
+    pub stages: HashMap<ObjectId, Option<Stage>>,
+    pub programs: HashMap<ObjectId, GlProgram>,
+    pub locations: HashMap<ObjectId, GlLocation>,
     /// Objects whose members are locations by the name of the member.
-    tables: HashMap<ObjectId, ObjectId>,
+    pub tables: HashMap<ObjectId, ObjectId>,
     /// The program in use; `Err` if it is not known.
-    current: Result<Option<ObjectId>, ()>,
-    turn: usize,
-    verdicts: Verdicts,
-}
-
-/// Adds what is wrong with the programs that scripts make with WebGL.
-pub fn check(world: &World, found: &mut Vec<Breach>) {
-    let mut replay = Replay {
-        world,
-        sources: HashMap::new(),
-        stages: HashMap::new(),
-        programs: HashMap::new(),
-        locations: HashMap::new(),
-        tables: HashMap::new(),
-        current: Ok(None),
-        turn: 0,
-        verdicts: Verdicts::default(),
-    };
-    for event in &world.events {
-        if let EventKind::Call(call) = &event.kind {
-            replay.prepare(call, event);
-        }
-    }
-    if replay.programs.is_empty() {
-        return;
-    }
-    replay.read_shaders();
-    for program in replay.programs.values() {
-        link::check(&program.stages, program.place, found);
-    }
-    for event in &world.events {
-        replay.follow(event);
-    }
-    replay.check_unset(found);
-    attributes::check(&replay, found);
-    blocks::check(&replay, found);
-    found.extend(replay.verdicts.0.into_values().flatten());
+    pub current: Result<Option<ObjectId>, ()>,
+    pub task: usize,
+    pub verdicts: Verdicts,
 }
 
 /// An argument of a call.
-fn argument(call: &Call, index: usize) -> Option<&Value> {
+pub fn argument(call: &ForeignCall, index: usize) -> Option<&ScriptValue> {
     call.arguments.get(index).map(|(value, _)| value)
 }
 
 /// The place of an argument of a call.
-fn place_of(call: &Call, index: usize) -> Option<Place> {
+pub fn place_of(call: &ForeignCall, index: usize) -> Option<ScriptPlace> {
     call.arguments.get(index).map(|(_, place)| *place)
 }
 
 /// The place of the contents of a quoted text.
-fn inside(place: Place) -> Place {
-    Place {
+fn inside(place: ScriptPlace) -> ScriptPlace {
+    ScriptPlace {
         start: place.start + 1,
         end: place.end.saturating_sub(1),
         ..place
@@ -133,15 +91,32 @@ fn inside(place: Place) -> Place {
 }
 
 /// The name of a constant of WebGL.
-fn constant<'w>(world: &'w World, value: Option<&Value>) -> Option<&'w str> {
+pub fn constant<'w>(world: &'w World, value: Option<&ScriptValue>) -> Option<&'w str> {
     match &world.object(value?.object()?)?.kind {
         ObjectKind::Foreign(Source::Member(_, name)) => Some(name),
         _ => None,
     }
 }
 
+/// What a script looks up.
+fn location_of(call: &ForeignCall, program: ObjectId, place: ScriptPlace) -> GlLocation {
+    let name = argument(call, 1);
+    let written = match name {
+        Some(ScriptValue::Text(text)) => text.place(0..text.content.len()),
+        _ => None,
+    };
+    let given = place_of(call, 1);
+    GlLocation {
+        program,
+        name: name.and_then(ScriptValue::text).map(str::to_string),
+        is_attribute: &*call.name == "getAttribLocation",
+        place: written.or(given).unwrap_or(place),
+        is_listed: written.is_some() && written != given.map(inside),
+    }
+}
+
 /// The stage that a type of shader names.
-fn stage_of(world: &World, value: Option<&Value>) -> Option<Stage> {
+fn stage_of(world: &World, value: Option<&ScriptValue>) -> Option<Stage> {
     match (constant(world, value), value?.number()) {
         (Some("VERTEX_SHADER"), _) | (_, Some(35633.0)) => Some(Stage::Vertex),
         (Some("FRAGMENT_SHADER"), _) | (_, Some(35632.0)) => Some(Stage::Fragment),
@@ -149,10 +124,39 @@ fn stage_of(world: &World, value: Option<&Value>) -> Option<Stage> {
     }
 }
 
-impl<'w> Replay<'w> {
+impl<'w> GlReplay<'w> {
     /// Reads the calls that make programs and look up locations.
-    fn prepare(&mut self, call: &Call, event: &Event) {
-        let first = argument(call, 0).and_then(Value::object);
+    pub fn new(world: &'w World<'w>) -> GlReplay<'w> {
+        let mut replay = GlReplay {
+            world,
+            sources: HashMap::new(),
+            stages: HashMap::new(),
+            programs: HashMap::new(),
+            locations: HashMap::new(),
+            tables: HashMap::new(),
+            current: Ok(None),
+            task: 0,
+            verdicts: Verdicts::default(),
+        };
+        for event in &world.events {
+            if let EventKind::Call(call) = &event.kind {
+                replay.prepare(call, event);
+            }
+        }
+        replay.read_shaders();
+        replay
+    }
+
+    /// Follows all calls in their order.
+    pub fn run(&mut self) {
+        for event in &self.world.events {
+            self.follow(event);
+        }
+    }
+
+    /// Reads the calls that make programs and look up locations.
+    fn prepare(&mut self, call: &ForeignCall, event: &ScriptEvent) {
+        let first = argument(call, 0).and_then(ScriptValue::object);
         let second = argument(call, 1);
         match (&*call.name, first) {
             ("createProgram", None) if call.arguments.is_empty() => {
@@ -168,32 +172,21 @@ impl<'w> Replay<'w> {
             }
             ("shaderSource", Some(shader)) => {
                 let text = match second {
-                    Some(Value::Text(text)) => Some(text.clone()),
+                    Some(ScriptValue::Text(text)) => Some(text.clone()),
                     _ => None,
                 };
                 self.sources.insert(shader, text);
             }
             ("attachShader", Some(program)) => {
                 if let Some(program) = self.programs.get_mut(&program) {
-                    match second.and_then(Value::object) {
+                    match second.and_then(ScriptValue::object) {
                         Some(shader) => program.shaders.push(shader),
                         None => program.is_open = true,
                     }
                 }
             }
             ("getUniformLocation" | "getAttribLocation", Some(program)) => {
-                let name = second.and_then(Value::text).map(str::to_string);
-                let written = match second {
-                    Some(Value::Text(text)) => text.place(0..text.content.len()),
-                    _ => None,
-                };
-                let location = Location {
-                    program,
-                    name,
-                    is_attribute: &*call.name == "getAttribLocation",
-                    place: written.or(place_of(call, 1)).unwrap_or(event.place),
-                    is_listed: written.is_some() && written != place_of(call, 1).map(inside),
-                };
+                let location = location_of(call, program, event.place);
                 self.locations.insert(call.result, location);
             }
             ("useProgram", Some(program)) => {
@@ -203,8 +196,10 @@ impl<'w> Replay<'w> {
             }
             ("bindAttribLocation", Some(program)) => {
                 if let Some(program) = self.programs.get_mut(&program) {
-                    let name = argument(call, 2).and_then(Value::text).map(str::to_string);
-                    let index = second.and_then(Value::number);
+                    let name = argument(call, 2)
+                        .and_then(ScriptValue::text)
+                        .map(str::to_string);
+                    let index = second.and_then(ScriptValue::number);
                     let place = place_of(call, 2).unwrap_or(event.place);
                     program.bound.push((index, name, place));
                 }
@@ -218,7 +213,7 @@ impl<'w> Replay<'w> {
                     program.captured = names
                         .iter()
                         .filter_map(|name| match name {
-                            Value::Text(text) => {
+                            ScriptValue::Text(text) => {
                                 let place = text.first_place().unwrap_or(place);
                                 Some((text.content.clone(), place))
                             }
@@ -233,7 +228,7 @@ impl<'w> Replay<'w> {
     }
 
     /// Notes that programs are handed to functions that are not known.
-    fn hand_on(&mut self, call: &Call) {
+    fn hand_on(&mut self, call: &ForeignCall) {
         const KNOWN: &[&str] = &[
             "linkProgram",
             "getProgramParameter",
@@ -294,7 +289,7 @@ impl<'w> Replay<'w> {
     }
 
     /// The location that a value is.
-    fn location(&self, value: Option<&Value>) -> Option<(&Location, i32)> {
+    pub fn location(&self, value: Option<&ScriptValue>) -> Option<(&GlLocation, i32)> {
         let id = value?.object()?;
         if let Some(location) = self.locations.get(&id) {
             return Some((location, 0));
@@ -307,9 +302,9 @@ impl<'w> Replay<'w> {
         }
     }
 
-    fn follow(&mut self, event: &Event) {
-        if event.turn != self.turn {
-            self.turn = event.turn;
+    fn follow(&mut self, event: &ScriptEvent) {
+        if event.task != self.task {
+            self.task = event.task;
             let used = self.programs.values().filter(|p| p.is_used).count();
             // What another function did last is not known, unless there is only one program.
             if used > 1 || self.current == Ok(None) {
@@ -328,9 +323,9 @@ impl<'w> Replay<'w> {
                 }
             }
             EventKind::Call(call) if &*call.name == "useProgram" => {
-                let program = argument(call, 0).and_then(Value::object);
+                let program = argument(call, 0).and_then(ScriptValue::object);
                 self.current = match event.certainty {
-                    Certainty::Sure => match program {
+                    EventCertainty::Sure => match program {
                         Some(id) if self.programs.contains_key(&id) => Ok(Some(id)),
                         Some(_) => Err(()),
                         None => Ok(None),
