@@ -75,7 +75,7 @@ fn check_geometry(
                     strays.iter().map(|feed| feed.name.as_str()),
                 );
                 let near = near.and_then(|near| strays.iter().find(|feed| feed.name == near));
-                let is_given = material.maker.gives(&attribute.name) && near.is_none();
+                let is_given = material.maker.feeds(&attribute.name) && near.is_none();
                 if is_given || near.is_none() && world.is_mentioned(&attribute.name) {
                     continue;
                 }

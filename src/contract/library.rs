@@ -35,8 +35,10 @@ pub struct Maker {
     pub boxing: Boxing,
     /// Whether it copies the uniforms, so that the object that it gets is another.
     pub copies: bool,
-    /// Uniforms and attributes that the library sets; a trailing `*` matches any suffix.
-    pub gives: Vec<String>,
+    /// Uniforms that the library sets; a trailing `*` matches any suffix.
+    gives: Vec<String>,
+    /// Attributes that it sets.
+    feeds: Vec<String>,
     /// Whether it sets default precisions before a shader.
     pub is_precise: bool,
     /// A uniform without which it does nothing.
@@ -62,9 +64,14 @@ impl Maker {
         }
     }
 
-    /// Whether the library sets a name.
+    /// Whether the library sets a uniform.
     pub fn gives(&self, name: &str) -> bool {
         self.gives.iter().any(|given| matches(given, name))
+    }
+
+    /// Whether the library feeds an attribute.
+    pub fn feeds(&self, name: &str) -> bool {
+        self.feeds.iter().any(|given| matches(given, name))
     }
 
     /// Whether a function of this name sets uniforms.
@@ -134,7 +141,7 @@ pub fn may_make_programs(script: &str) -> bool {
 pub fn is_given_to_patches(name: &str) -> bool {
     let all = &table().makers;
     let maker = all.iter().find(|m| m.library == table().patched);
-    maker.is_some_and(|m| m.gives(name))
+    maker.is_some_and(|m| m.gives(name) || m.feeds(name))
 }
 
 /// The attributes that shapes have.
@@ -161,7 +168,7 @@ pub fn makers() -> &'static [Maker] {
 }
 
 fn read(table: &str) -> LibraryTable {
-    let mut gives: Vec<String> = Vec::new();
+    let (mut gives, mut feeds) = (Vec::new(), Vec::new());
     let mut found = LibraryTable::default();
     for line in table.lines().map(str::trim) {
         let mut words = line.split_whitespace();
@@ -172,11 +179,14 @@ fn read(table: &str) -> LibraryTable {
         match library {
             // The names that the makers after it set.
             "gives" => gives = rest(),
+            "feeds" => feeds = rest(),
             "signs" => found.signs = rest(),
             "shapes" => found.shapes = rest(),
             "patched" => found.patched = rest().concat(),
             "geometry" => found.geometries.extend(read_geometry(&rest())),
-            _ => found.makers.push(read_maker(library, &gives, words)),
+            _ => found
+                .makers
+                .push(read_maker(library, (&gives, &feeds), words)),
         }
     }
     found
@@ -200,7 +210,7 @@ fn read_geometry(words: &[String]) -> Option<GeometryClass> {
 
 fn read_maker<'t>(
     library: &str,
-    gives: &[String],
+    (gives, feeds): (&[String], &[String]),
     mut words: impl Iterator<Item = &'t str>,
 ) -> Maker {
     let mut maker = Maker {
@@ -213,6 +223,7 @@ fn read_maker<'t>(
         boxing: Boxing::Plain,
         copies: false,
         gives: gives.to_vec(),
+        feeds: feeds.to_vec(),
         is_precise: false,
         requires: None,
         setter: String::new(),

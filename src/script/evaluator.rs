@@ -383,6 +383,21 @@ impl<'a> Evaluator<'a, '_> {
         }
     }
 
+    /// The part that an object was made from: `mesh.material` of `new Mesh(geometry, material)`.
+    fn given_part(&self, id: ObjectId, key: &str) -> Option<ScriptValue> {
+        let call = self.world.call_of(id).filter(|call| call.is_new)?;
+        let count = call.arguments.len();
+        let index = match key {
+            "material" if count > 0 => count.min(2) - 1,
+            "geometry" if count > 1 => 0,
+            _ => return None,
+        };
+        let (value, _) = call.arguments.get(index)?;
+        let object = self.world.object(value.object()?)?;
+        let is_made = matches!(object.kind, ObjectKind::Foreign(Source::Event(_)));
+        is_made.then(|| value.clone())
+    }
+
     /// The text of an element of the page: `document.getElementById("id").textContent`.
     fn element_text(&self, id: ObjectId, key: &str) -> Option<ScriptValue> {
         let is_text = ["textContent", "innerText", "innerHTML", "text"].contains(&key);
@@ -406,6 +421,9 @@ impl<'a> Evaluator<'a, '_> {
 
     /// A property of an object of which nothing is known; the same each time.
     fn child(&mut self, id: ObjectId, key: &str, place: ScriptPlace) -> ScriptValue {
+        if let Some(given) = self.given_part(id, key) {
+            return given;
+        }
         let key: Rc<str> = key.into();
         if let Some(child) = self.members.get(&(id, key.clone())) {
             return ScriptValue::Object(*child);
