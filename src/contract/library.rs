@@ -137,6 +137,18 @@ pub fn may_make_programs(script: &str) -> bool {
     table().signs.iter().any(|sign| script.contains(sign))
 }
 
+/// Whether a path is a library: `../lib/three.module.js`.
+pub fn is_library(path: &str) -> bool {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    let first = name.split(['.', '-']).next().unwrap_or("");
+    let word = first.to_ascii_lowercase();
+    let all = &table().makers;
+    name.contains(".js")
+        && all
+            .iter()
+            .any(|m| m.library == word || m.library == word.trim_end_matches("js"))
+}
+
 /// Whether the shaders of materials that are patched declare a name.
 pub fn is_given_to_patches(name: &str) -> bool {
     let all = &table().makers;

@@ -232,7 +232,12 @@ impl Material<'_> {
                 object, key: of, ..
             } => {
                 let is_value = of.as_ref().is_none_or(|key| &**key == "value");
-                is_value && self.name_of(world, *object).as_deref() == Some(&*key.name)
+                // One whose name is not known may be any.
+                let is_any = match world.object(*object).map(|o| &o.kind) {
+                    Some(ObjectKind::Foreign(Source::Unknown)) => true,
+                    _ => self.name_of(world, *object).as_deref() == Some(&*key.name),
+                };
+                is_value && is_any
             }
             _ => false,
         })
@@ -273,7 +278,9 @@ impl Material<'_> {
     fn is_set_later(&self, world: &World, name: &str) -> bool {
         world.events.iter().any(|event| match &event.kind {
             EventKind::Write { object, key, .. } => {
-                let is_it = key.as_ref().is_none_or(|key| **key == *name);
+                // A group takes no uniforms later.
+                let is_fixed = self.maker.boxing == Boxing::Grouped;
+                let is_it = !is_fixed && key.as_ref().is_none_or(|key| **key == *name);
                 is_it && (self.is_uniforms(world, *object) || self.is_in_result(world, *object))
             }
             // A command of regl without shaders sets uniforms for those that it calls.

@@ -12,6 +12,9 @@ use std::rc::Rc;
 /// The texts that a patch changes.
 const STAGES: &[&str] = &["vertexShader", "fragmentShader"];
 
+/// The release of a program that uses the newest one.
+pub const NEWEST: u32 = u32::MAX;
+
 /// A change of the shader of a built-in material.
 struct Patch<'w> {
     /// The object that `onBeforeCompile` gets.
@@ -111,10 +114,10 @@ fn unmatched(patch: &Patch, inserted: &[&str], release: Option<u32>) -> Option<B
         None => Some(near?),
     };
     let message = match (own, release) {
-        (Some(_), Some(release)) => {
+        (Some(_), Some(release)) if release != NEWEST => {
             format!("no shader of three.js r{release} contains `{pattern}`")
         }
-        (Some(chunk), None) => {
+        (Some(chunk), _) => {
             let last = chunk.releases.end();
             format!(
                 "no shader of three.js contains `{pattern}` since r{}",

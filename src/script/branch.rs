@@ -147,11 +147,30 @@ impl<'a, 'r> Evaluator<'a, 'r> {
     ) -> StatementEnd {
         /// Maximum number of iterations that are evaluated one by one.
         const MAX_ITERATIONS: usize = 40;
+        /// The same for a loop in another.
+        const MAX_INNER: usize = 8;
+        let limit = if self.loops == 0 {
+            MAX_ITERATIONS
+        } else {
+            MAX_INNER
+        };
+        self.loops += 1;
+        let flow = self.iterate_up_to(limit, step, body);
+        self.loops -= 1;
+        flow
+    }
+
+    fn iterate_up_to(
+        &mut self,
+        limit: usize,
+        step: &mut dyn FnMut(&mut Self) -> Option<bool>,
+        body: &mut dyn FnMut(&mut Self) -> StatementEnd,
+    ) -> StatementEnd {
         self.logs.push(Vec::new());
         let mut flow = StatementEnd::Next;
         let mut is_known = false;
         let mut has_run = false;
-        for _ in 0..MAX_ITERATIONS {
+        for _ in 0..limit {
             match step(self) {
                 Some(false) => is_known = true,
                 Some(true) => {

@@ -47,6 +47,12 @@ impl Evaluator<'_, '_> {
                         _ => None,
                     }
                 }
+                // A copy has the same parts and the same type.
+                ObjectKind::Foreign(Source::Event(_))
+                    if name == "clone" && arguments.0.is_empty() =>
+                {
+                    Some(object.clone())
+                }
                 ObjectKind::Foreign(Source::Global(global)) => {
                     let global = global.clone();
                     self.static_function(&global, name, arguments, place)

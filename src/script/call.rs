@@ -112,9 +112,12 @@ impl<'a> Evaluator<'a, '_> {
             Some(ObjectKind::Function(_)) => {
                 let this = self.plain(place);
                 let this = ScriptValue::Object(this);
-                self.run(id, this.clone(), arguments.0, place);
+                let result = self.run(id, this.clone(), arguments.0, place);
                 self.open(&this);
-                this
+                match result {
+                    ScriptValue::Object(_) => result,
+                    _ => this,
+                }
             }
             _ => {
                 let name = match it.callee.as_member_expression() {
@@ -177,6 +180,7 @@ impl<'a> Evaluator<'a, '_> {
     ) -> ObjectId {
         let arguments = match name {
             "loadShader" => self.loaded(arguments),
+            _ if name.ends_with("FromScripts") => self.elements_of(arguments, place),
             _ => arguments,
         };
         let event = self.world.events.len();
@@ -209,6 +213,31 @@ impl<'a> Evaluator<'a, '_> {
             }
         }
         result
+    }
+
+    /// The texts of the elements that arguments name, also in an array.
+    fn elements_of(
+        &mut self,
+        arguments: Vec<(ScriptValue, ScriptPlace)>,
+        place: ScriptPlace,
+    ) -> Vec<(ScriptValue, ScriptPlace)> {
+        let text = |e: &Self, value: &ScriptValue| {
+            let found = value.text().and_then(|id| e.page_element(id));
+            found.unwrap_or_else(|| value.clone())
+        };
+        let mut found = Vec::new();
+        for (value, at) in arguments {
+            let all = self.world.elements(&value).map(<[ScriptValue]>::to_vec);
+            let value = match all {
+                Some(all) => {
+                    let all = all.iter().map(|one| text(self, one)).collect();
+                    self.array(all, place)
+                }
+                None => text(self, &value),
+            };
+            found.push((value, at));
+        }
+        found
     }
 
     /// The texts of the files that arguments name.

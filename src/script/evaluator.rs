@@ -55,6 +55,7 @@ pub fn evaluate<R>(
         certainty: EventCertainty::Sure,
         task: 0,
         missing: None,
+        loops: 0,
         file: 0,
         steps: MAX_STEPS,
         depth: 0,
@@ -111,6 +112,8 @@ pub(crate) struct Evaluator<'a, 'r> {
     pub task: usize,
     /// The last property that was missing.
     pub missing: Option<EventId>,
+    /// Number of loops that are being evaluated.
+    pub loops: usize,
     /// The index of the current file.
     pub file: usize,
     pub steps: usize,
@@ -408,6 +411,11 @@ impl<'a> Evaluator<'a, '_> {
             "querySelector" => selector.text()?.strip_prefix('#')?,
             _ => return None,
         };
+        self.page_element(name)
+    }
+
+    /// The contents of an element of the page.
+    pub fn page_element(&self, name: &str) -> Option<ScriptValue> {
         let (_, page) = self.world.files.first()?;
         let range = self.loader.element(page, name)?;
         let place = ScriptPlace {

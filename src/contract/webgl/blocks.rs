@@ -16,6 +16,8 @@ struct Buffers {
     sizes: HashMap<ObjectId, (f64, ScriptPlace)>,
     /// By binding: the buffer.
     bindings: HashMap<u32, ObjectId>,
+    /// Whether several buffers use a binding in turns.
+    is_shared: bool,
     /// Parts that are written: the buffer, the first byte and the place.
     parts: Vec<(ObjectId, f64, ScriptPlace)>,
 }
@@ -53,7 +55,12 @@ pub fn check(replay: &GlReplay, found: &mut Vec<Breach>) {
             _ => buffers.follow(world, call, event.place),
         }
     }
-    for (program, name, binding) in &blocks {
+    let blocks = if buffers.is_shared {
+        &[][..]
+    } else {
+        blocks.as_slice()
+    };
+    for (program, name, binding) in blocks {
         let layout = replay
             .programs
             .get(program)
@@ -97,7 +104,9 @@ impl Buffers {
                 let binding = argument(call, 1).and_then(ScriptValue::number);
                 let buffer = argument(call, 2).and_then(ScriptValue::object);
                 if let (Some(binding), Some(buffer)) = (binding, buffer) {
-                    self.bindings.insert(binding as u32, buffer);
+                    // Another buffer may be for another program.
+                    let old = self.bindings.insert(binding as u32, buffer);
+                    self.is_shared |= old.is_some_and(|old| old != buffer);
                     self.bound = Some(buffer);
                 }
             }

@@ -2,6 +2,7 @@
 
 use crate::breach::Breach;
 use crate::interface::{ShaderInterface, Stages};
+use crate::library::maker_of;
 use shaderlint_script::{
     EventCertainty, EventKind, ForeignCall, KnownText, ObjectId, ObjectKind, ScriptEvent,
     ScriptPlace, ScriptValue, Source, World,
@@ -98,6 +99,57 @@ pub fn constant<'w>(world: &'w World, value: Option<&ScriptValue>) -> Option<&'w
     }
 }
 
+/// A program that a function makes of the texts of its shaders: `createProgramFromSources(gl, [vertex, fragment])`.
+fn made_of_texts(world: &World, id: ObjectId) -> Option<GlProgram> {
+    let object = world.object(id)?;
+    let holder = match &object.kind {
+        ObjectKind::Foreign(Source::Member(of, name)) if &**name == "program" => *of,
+        _ => id,
+    };
+    let call = world.call_of(holder);
+    // Who gets what holds the program may set its uniforms.
+    let is_handed_on = holder != id
+        && world.events.iter().any(|event| match &event.kind {
+            EventKind::Call(call) => {
+                let mut all = call.arguments.iter();
+                all.any(|(value, _)| value.object() == Some(holder))
+            }
+            _ => false,
+        });
+    // What a library sets with its own functions is not followed here.
+    let call = call.filter(|call| maker_of(world, call).is_none())?;
+    let given = call
+        .arguments
+        .iter()
+        .flat_map(|(value, _)| match world.elements(value) {
+            Some(all) => all.to_vec(),
+            None => vec![value.clone()],
+        });
+    let texts = given.filter_map(|value| match value {
+        ScriptValue::Text(text) if text.content.contains("main") => Some(text),
+        _ => None,
+    });
+    let texts: Vec<Rc<KnownText>> = texts.collect();
+    let [one, other] = texts.as_slice() else {
+        return None;
+    };
+    let is_vertex = |text: &KnownText| text.content.contains("gl_Position");
+    let (vertex, fragment) = match is_vertex(other) && !is_vertex(one) {
+        true => (other, one),
+        false => (one, other),
+    };
+    let read = |text, stage| Some(Rc::new(ShaderInterface::of(text, stage, (&[], ""))));
+    Some(GlProgram {
+        stages: Stages {
+            vertex: read(vertex, Stage::Vertex),
+            fragment: read(fragment, Stage::Fragment),
+        },
+        place: object.place,
+        is_open: is_handed_on,
+        ..GlProgram::default()
+    })
+}
+
 /// What a script looks up.
 fn location_of(call: &ForeignCall, program: ObjectId, place: ScriptPlace) -> GlLocation {
     let name = argument(call, 1);
@@ -138,6 +190,11 @@ impl<'w> GlReplay<'w> {
             task: 0,
             verdicts: Verdicts::default(),
         };
+        for event in &world.events {
+            if let EventKind::Call(call) = &event.kind {
+                replay.adopt(call);
+            }
+        }
         for event in &world.events {
             if let EventKind::Call(call) = &event.kind {
                 replay.prepare(call, event);
@@ -224,6 +281,17 @@ impl<'w> GlReplay<'w> {
             }
             // A program that something else gets may be changed there.
             _ => self.hand_on(call),
+        }
+    }
+
+    /// Reads a program that another function made.
+    fn adopt(&mut self, call: &ForeignCall) {
+        let first = argument(call, 0).and_then(ScriptValue::object);
+        let first = first.filter(|id| !self.programs.contains_key(id));
+        let names = ["useProgram", "getUniformLocation", "getAttribLocation"];
+        if let Some(id) = first.filter(|_| names.contains(&&*call.name)) {
+            let made = made_of_texts(self.world, id);
+            self.programs.extend(made.map(|program| (id, program)));
         }
     }
 

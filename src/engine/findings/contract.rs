@@ -1,7 +1,7 @@
 //! What the program around the shaders of a script sets, compared with what they declare.
 
 use super::stage::FileCheck;
-use shaderlint_contract::{Breach, may_make_programs};
+use shaderlint_contract::{Breach, NEWEST, is_library, may_make_programs};
 use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code};
 use shaderlint_detect::kind::{FileKind, file_extension};
 use shaderlint_diagnostic::{Diagnostic, ErrorKind, Origin, Severity, error};
@@ -28,6 +28,9 @@ const EXTENSIONS: &[&str] = &[
     "/index.tsx",
 ];
 
+/// Maximum number of bytes of a module; longer ones are libraries.
+const MAX_MODULE: usize = 300_000;
+
 /// The errors of linking.
 const LINK_ERRORS: &[ErrorKind] = &[
     error::LINK_VERSION,
@@ -45,6 +48,10 @@ struct ProgramModules<'a> {
 
 impl Loader for ProgramModules<'_> {
     fn load(&self, path: &str, from: &Path) -> Option<(PathBuf, Arc<str>)> {
+        // Libraries are known by their names.
+        if is_library(path) || path.contains("node_modules") {
+            return None;
+        }
         let top = self.cache.top(from, self.files);
         // What starts with a name is a package, unless a bundler maps it to a folder.
         let is_near = path.starts_with(['.', '/', '@', '~', '#']) || path.contains(['/', '.']);
@@ -61,7 +68,7 @@ impl Loader for ProgramModules<'_> {
             with.chain(source)
         });
         let mut found = named.filter_map(|path| Some((path.clone(), self.files.load(&path).ok()?)));
-        found.next()
+        found.next().filter(|(_, text)| text.len() <= MAX_MODULE)
     }
 
     fn script(&self, path: &Path, text: &str) -> Option<String> {
@@ -142,7 +149,12 @@ fn release(file: &FileCheck, text: &str) -> Option<u32> {
     }
     let library = chunk_libraries().first()?;
     let installed = installed_release(file.name, library.package, file.context.file_access());
-    installed.or_else(|| library.cited_in(text).last().copied())
+    let named = installed.or_else(|| library.cited_in(text).last().copied());
+    // A program that imports the package and lists no version gets the newest one.
+    let imports = ['"', '\'']
+        .iter()
+        .any(|quote| text.contains(&format!("from {quote}{}{quote}", library.package)));
+    named.or(imports.then_some(NEWEST))
 }
 
 fn diagnostic(
