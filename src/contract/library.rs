@@ -1,6 +1,7 @@
 //! What libraries call things: the table in `libraries.txt`.
 
 use shaderlint_script::{ForeignCall, ObjectId, ObjectKind, ScriptValue, Source, World};
+use std::collections::HashSet;
 use std::sync::OnceLock;
 
 /// How the values of uniforms are written.
@@ -124,6 +125,8 @@ struct LibraryTable {
     /// The attributes that shapes have.
     shapes: Vec<String>,
     patched: String,
+    /// The names of all makers, without dots.
+    names: HashSet<String>,
     signs: Vec<String>,
 }
 
@@ -201,6 +204,11 @@ fn read(table: &str) -> LibraryTable {
                 .push(read_maker(library, (&gives, &feeds), words)),
         }
     }
+    let names = found
+        .makers
+        .iter()
+        .map(|m| m.name.trim_start_matches('.').to_string());
+    found.names = names.collect();
     found
 }
 
@@ -312,6 +320,9 @@ impl<'w> LibraryExport<'w> {
 
 /// The maker that a call calls.
 pub fn maker_of(world: &World, call: &ForeignCall) -> Option<&'static Maker> {
+    if !table().names.contains(&*call.name) && made_by(world, call.callee).is_none() {
+        return None;
+    }
     // The elements of a renderer of React.
     let is_element = call.is_new && call.callee.is_none();
     let origin = LibraryExport::of(world, call.callee);

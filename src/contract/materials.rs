@@ -143,7 +143,7 @@ fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<KnownText>> {
         Stage::Vertex => &["VertexShader"],
         Stage::Fragment => &["FragmentShader", "PixelShader"],
     };
-    let found = world
+    world
         .events
         .iter()
         .rev()
@@ -157,8 +157,7 @@ fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<KnownText>> {
                 ends.contains(&end).then(|| text.clone())
             }
             _ => None,
-        });
-    found
+        })
 }
 
 /// The macros that a script defines.

@@ -197,7 +197,10 @@ fn check_targets(
                     _ => Some(1.0),
                 };
                 for material in materials_of(world, calls, scene, materials) {
-                    if material.reads(world, |value| is_texture_of(world, value, target)) {
+                    // A pass of a library gets its textures from others.
+                    let is_near = material.place.file == event.place.file;
+                    let reads = |value: &ScriptValue| is_texture_of(world, value, target);
+                    if is_near && material.reads(world, reads) {
                         let message =
                             "a texture is read while it is drawn to (feedback)".to_string();
                         let breach = Breach::new("render-target", event.place, message)
@@ -209,40 +212,31 @@ fn check_targets(
                         found.push(breach);
                         continue;
                     }
-                    let outputs = material
-                        .stages
-                        .fragment
-                        .as_ref()
-                        .map_or(0, |s| s.outputs.len());
-                    let Some(count) = count.filter(|_| outputs > 0) else {
-                        continue;
-                    };
-                    if count as usize == outputs {
-                        continue;
-                    }
-                    let place = world.object(target).map_or(event.place, |o| o.place);
-                    let message = format!(
-                        "a target with {count} textures gets {outputs} outputs of a shader"
-                    );
-                    let output = material
-                        .stages
-                        .fragment
-                        .as_ref()
-                        .and_then(|s| s.outputs.last());
-                    let note = match (count as usize) < outputs {
-                        true => "the other outputs are lost",
-                        false => "drawing reports INVALID_OPERATION, and nothing is drawn",
-                    };
-                    let breach = Breach::new("render-target", place, message)
-                        .label(output.and_then(|o| o.place), "the last output")
-                        .note(note)
-                        .help(Some(format!("use `count: {outputs}`")));
-                    found.push(breach);
+                    let made_at = world.object(target).map_or(event.place, |o| o.place);
+                    found.extend(uneven_outputs(material, count, made_at));
                 }
             }
             _ => {}
         }
     }
+}
+
+/// Outputs of a shader for a target with another number of textures.
+fn uneven_outputs(material: &Material, count: Option<f64>, place: ScriptPlace) -> Option<Breach> {
+    let fragment = material.stages.fragment.as_ref()?;
+    let outputs = fragment.outputs.len();
+    let count = count.filter(|count| outputs > 0 && *count as usize != outputs)?;
+    let message = format!("a target with {count} textures gets {outputs} outputs of a shader");
+    let note = match (count as usize) < outputs {
+        true => "the other outputs are lost",
+        false => "drawing reports INVALID_OPERATION, and nothing is drawn",
+    };
+    let last = fragment.outputs.last().and_then(|o| o.place);
+    let breach = Breach::new("render-target", place, message)
+        .label(last, "the last output")
+        .note(note)
+        .help(Some(format!("use `count: {outputs}`")));
+    Some(breach)
 }
 
 /// Options of a material that say what its alpha is for.

@@ -1,8 +1,9 @@
 //! Conditions that are not known: all branches are evaluated.
 
-use crate::evaluator::{ChangedSlot, Evaluator};
+use crate::evaluator::{ChangeLog, ChangedSlot, Evaluator};
 use crate::value::{KnownText, Primitive, ScriptPlace, ScriptValue};
 use crate::world::{EventCertainty, ObjectKind, Source};
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// How a statement ends.
@@ -36,8 +37,8 @@ impl<'a, 'r> Evaluator<'a, 'r> {
     pub fn ways(&mut self, ways: &mut [BranchCode<'_, 'a, 'r>]) -> (StatementEnd, ScriptValue) {
         let before = self.certainty;
         let is_single = ways.len() == 1;
-        let mut changes: Vec<Vec<(ChangedSlot<'a>, Option<ScriptValue>)>> = Vec::new();
-        let mut olds: Vec<(ChangedSlot<'a>, Option<ScriptValue>)> = Vec::new();
+        let mut changes: Vec<FxHashMap<ChangedSlot<'a>, Option<ScriptValue>>> = Vec::new();
+        let mut olds = ChangeLog::default();
         let mut flows = Vec::new();
         let mut result: Option<ScriptValue> = None;
         for way in ways.iter_mut() {
@@ -45,7 +46,7 @@ impl<'a, 'r> Evaluator<'a, 'r> {
                 true => EventCertainty::Guarded,
                 false => EventCertainty::Alternative,
             });
-            self.logs.push(Vec::new());
+            self.logs.push(ChangeLog::default());
             let first = self.world.events.len();
             let (flow, value) = way(self);
             // A way that ends the function is an alternative to everything after it.
@@ -54,13 +55,11 @@ impl<'a, 'r> Evaluator<'a, 'r> {
                 events.for_each(|e| e.certainty = EventCertainty::Alternative);
             }
             let log = self.logs.pop().unwrap_or_default();
-            let mut changed = Vec::new();
-            for (slot, old) in log {
-                changed.push((slot.clone(), self.slot(&slot)));
+            let mut changed = FxHashMap::default();
+            for (slot, old) in log.changes {
+                changed.insert(slot.clone(), self.slot(&slot));
                 self.put(&slot, old.clone(), ScriptPlace::default());
-                if !olds.iter().any(|(known, _)| *known == slot) {
-                    olds.push((slot, old));
-                }
+                olds.add(slot, old);
             }
             // What a way that ends changes is not seen after it.
             if flow == StatementEnd::Next {
@@ -73,11 +72,10 @@ impl<'a, 'r> Evaluator<'a, 'r> {
             flows.push(flow);
         }
         self.certainty = before;
-        for (slot, old) in olds {
-            let news = changes.iter().map(|changed| {
-                let new = changed.iter().find(|(known, _)| *known == slot);
-                new.map_or(old.clone(), |(_, value)| value.clone())
-            });
+        for (slot, old) in olds.changes {
+            let news = changes
+                .iter()
+                .map(|changed| changed.get(&slot).cloned().unwrap_or_else(|| old.clone()));
             let mut all: Vec<Option<ScriptValue>> = news.collect();
             if is_single {
                 all.push(old.clone());
@@ -166,7 +164,7 @@ impl<'a, 'r> Evaluator<'a, 'r> {
         step: &mut dyn FnMut(&mut Self) -> Option<bool>,
         body: &mut dyn FnMut(&mut Self) -> StatementEnd,
     ) -> StatementEnd {
-        self.logs.push(Vec::new());
+        self.logs.push(ChangeLog::default());
         let mut flow = StatementEnd::Next;
         let mut is_known = false;
         let mut has_run = false;
@@ -188,11 +186,9 @@ impl<'a, 'r> Evaluator<'a, 'r> {
             }
         }
         let log = self.logs.pop().unwrap_or_default();
-        for (slot, old) in &log {
-            if let Some(outer) = self.logs.last_mut()
-                && !outer.iter().any(|(known, _)| known == slot)
-            {
-                outer.push((slot.clone(), old.clone()));
+        for (slot, old) in &log.changes {
+            if let Some(outer) = self.logs.last_mut() {
+                outer.add(slot.clone(), old.clone());
             }
         }
         if is_known {
@@ -213,7 +209,7 @@ impl<'a, 'r> Evaluator<'a, 'r> {
             self.world.events.truncate(before);
             self.missing = missing;
         } else {
-            for (slot, old) in log {
+            for (slot, old) in log.changes {
                 if let (Some(new), Some(old)) = (self.slot(&slot), old) {
                     let joined = self.join(old, new);
                     self.set(slot, Some(joined), ScriptPlace::default());

@@ -7,14 +7,14 @@ use crate::world::{
 };
 use oxc_allocator::Allocator;
 use oxc_span::Span;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
 /// Maximum number of expressions and statements that are evaluated.
-const MAX_STEPS: usize = 300_000;
+const MAX_STEPS: usize = 120_000;
 /// Maximum depth of expressions, statements and calls.
 const MAX_DEPTH: usize = 120;
 /// Maximum number of objects.
@@ -77,6 +77,22 @@ pub(crate) enum ChangedSlot<'a> {
     Property(ObjectId, Rc<str>),
 }
 
+/// What a branch has changed, with the values before, in order.
+#[derive(Default)]
+pub(crate) struct ChangeLog<'a> {
+    pub changes: Vec<(ChangedSlot<'a>, Option<ScriptValue>)>,
+    known: FxHashSet<ChangedSlot<'a>>,
+}
+
+impl<'a> ChangeLog<'a> {
+    /// Adds a change, unless there is an earlier one.
+    pub fn add(&mut self, slot: ChangedSlot<'a>, old: Option<ScriptValue>) {
+        if self.known.insert(slot.clone()) {
+            self.changes.push((slot, old));
+        }
+    }
+}
+
 /// The names of a block.
 pub(crate) struct NameScope<'a> {
     parent: Option<ScopeId>,
@@ -104,7 +120,7 @@ pub(crate) struct Evaluator<'a, 'r> {
     /// The functions that are running.
     pub active: Vec<ObjectId>,
     /// What the branches that are being evaluated have changed, with the values before.
-    pub logs: Vec<Vec<(ChangedSlot<'a>, Option<ScriptValue>)>>,
+    pub logs: Vec<ChangeLog<'a>>,
     /// Functions that were handed on.
     pub deferred: Vec<ObjectId>,
     pub certainty: EventCertainty,
@@ -270,10 +286,8 @@ impl<'a> Evaluator<'a, '_> {
     /// Changes a slot, or removes it, and remembers that for the branch that is being evaluated.
     pub fn set(&mut self, slot: ChangedSlot<'a>, value: Option<ScriptValue>, place: ScriptPlace) {
         let old = self.slot(&slot);
-        if let Some(log) = self.logs.last_mut()
-            && !log.iter().any(|(known, _)| *known == slot)
-        {
-            log.push((slot.clone(), old));
+        if let Some(log) = self.logs.last_mut() {
+            log.add(slot.clone(), old);
         }
         self.put(&slot, value, place);
     }

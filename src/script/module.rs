@@ -11,7 +11,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 /// Maximum number of files.
-const MAX_FILES: usize = 60;
+const MAX_FILES: usize = 40;
 
 impl<'a> Evaluator<'a, '_> {
     /// Evaluates a module and returns the object of its exports. `None` if it cannot be parsed.

@@ -10,6 +10,9 @@ use shaderlint_script::{
 use shaderlint_semantic::Scalar;
 use std::collections::{HashMap, HashSet};
 
+/// By program and name of an attribute: the columns that are enabled.
+type EnabledColumns = HashMap<(ObjectId, String), HashSet<i32>>;
+
 /// A pointer to the data of an attribute.
 struct Pointer<'w> {
     place: ScriptPlace,
@@ -89,7 +92,7 @@ fn data(world: &World, value: &ScriptValue) -> Option<Data> {
 pub fn check(replay: &GlReplay, found: &mut Vec<Breach>) {
     let world = replay.world;
     let mut pointers: Vec<Pointer> = Vec::new();
-    let mut enabled: HashMap<(ObjectId, String), HashSet<i32>> = HashMap::new();
+    let mut enabled = EnabledColumns::new();
     let mut is_unknown = false;
     let mut bound: Option<ObjectId> = None;
     let mut contents: HashMap<ObjectId, Option<Data>> = HashMap::new();
@@ -98,10 +101,8 @@ pub fn check(replay: &GlReplay, found: &mut Vec<Breach>) {
             continue;
         };
         match &*call.name {
-            "bindBuffer" => {
-                if constant(world, argument(call, 0)) == Some("ARRAY_BUFFER") {
-                    bound = argument(call, 1).and_then(ScriptValue::object);
-                }
+            "bindBuffer" if constant(world, argument(call, 0)) == Some("ARRAY_BUFFER") => {
+                bound = argument(call, 1).and_then(ScriptValue::object);
             }
             "bufferData" => {
                 if constant(world, argument(call, 0)) == Some("ARRAY_BUFFER")
@@ -338,7 +339,7 @@ fn check_captured(program: &GlProgram, found: &mut Vec<Breach>) {
 fn check_fed(
     id: ObjectId,
     program: &GlProgram,
-    (pointers, enabled): (&[Pointer], &HashMap<(ObjectId, String), HashSet<i32>>),
+    (pointers, enabled): (&[Pointer], &EnabledColumns),
     found: &mut Vec<Breach>,
 ) {
     let inputs = program.stages.vertex.iter().flat_map(|s| &s.inputs);

@@ -25,7 +25,7 @@ mod together;
 mod webgl;
 
 use crate::kind::{may_be_shader, sections};
-use crate::script::depth::is_limited;
+use crate::script::is_limited_once;
 
 pub use crate::document_language::DocumentLanguage;
 pub use embedded::{
@@ -44,7 +44,7 @@ pub use webgl::AskedWebGl;
 /// with scripts.
 pub fn script_code(language: DocumentLanguage, text: &str) -> Option<String> {
     // The parser has no limit of its own.
-    if !is_limited(text) {
+    if !is_limited_once(text) {
         return None;
     }
     let mut ranges = match language {

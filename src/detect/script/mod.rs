@@ -1,7 +1,7 @@
 //! Scripts: JavaScript and TypeScript, with JSX.
 
 mod build;
-pub mod depth;
+mod depth;
 mod scan;
 pub mod token;
 pub mod tree;
@@ -9,7 +9,9 @@ pub mod tree;
 use oxc_allocator::Allocator;
 use oxc_parser::{ParseOptions, Parser};
 use oxc_span::SourceType;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
+use std::hash::BuildHasher;
 use std::rc::Rc;
 use tree::ScriptTree;
 
@@ -36,6 +38,25 @@ pub fn parse(text: &str) -> Rc<ScriptTree> {
         kept.last()
             .map(|(_, tree)| tree.clone())
             .unwrap_or_default()
+    })
+}
+
+/// Whether the nesting of a script is limited. Modules are asked by each script that imports them, so the answers
+/// are kept.
+pub fn is_limited_once(text: &str) -> bool {
+    /// Maximum number of answers that are kept.
+    const MAX_ANSWERS: usize = 4096;
+    thread_local! {
+        static ANSWERS: RefCell<FxHashMap<(usize, u64), bool>> = RefCell::default();
+    }
+    let key = (text.len(), FxBuildHasher.hash_one(text));
+    ANSWERS.with_borrow_mut(|answers| {
+        if answers.len() >= MAX_ANSWERS {
+            answers.clear();
+        }
+        *answers
+            .entry(key)
+            .or_insert_with(|| depth::is_limited(text))
     })
 }
 

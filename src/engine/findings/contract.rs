@@ -28,6 +28,8 @@ const EXTENSIONS: &[&str] = &[
     "/index.tsx",
 ];
 
+/// Maximum number of bytes of a module that makes no programs; what longer ones export is not known.
+const MAX_HELPER: usize = 3_000;
 /// Maximum number of bytes of a module; longer ones are libraries.
 const MAX_MODULE: usize = 300_000;
 
@@ -68,7 +70,10 @@ impl Loader for ProgramModules<'_> {
             with.chain(source)
         });
         let mut found = named.filter_map(|path| Some((path.clone(), self.files.load(&path).ok()?)));
-        found.next().filter(|(_, text)| text.len() <= MAX_MODULE)
+        let (path, text) = found.next()?;
+        let is_short = text.len() <= MAX_HELPER;
+        let is_read = is_short || text.len() <= MAX_MODULE && may_make_programs(&text);
+        (is_read || self.script(&path, "").is_none()).then_some((path, text))
     }
 
     fn script(&self, path: &Path, text: &str) -> Option<String> {
