@@ -5,6 +5,7 @@
 //! changes: `=== OLD` and `=> NEW` (empty to remove), and the findings as `FILE:LINE RULE MESSAGE`.
 
 use super::tidy::files;
+use shaderlint::diagnostic::Severity;
 use shaderlint::engine::{DialectChoice, Options, check};
 use shaderlint::lint::Settings;
 use shaderlint::rules::RULES;
@@ -24,7 +25,9 @@ fn found(program: &Program) -> Vec<String> {
         .collect();
     let (name, text) = &program[0];
     let report = check(name, text, &options, &all);
-    let lines = report.diagnostics.iter().map(|d| {
+    let findings = report.diagnostics.iter();
+    let findings = findings.filter(|d| d.severity != Severity::Info);
+    let lines = findings.map(|d| {
         let file = report.sources.file_at(d.span.start).unwrap();
         let line = file.position(d.span.start).line;
         format!(

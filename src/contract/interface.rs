@@ -6,7 +6,7 @@ use shaderlint_semantic::{
     Base, BlockLayout, CheckedShader, Completeness, Dialect, Scalar, Stage, Storage, Type, Unit,
     check_shader, needs_300,
 };
-use shaderlint_syntax::{GlContext, Search};
+use shaderlint_syntax::{EXTENSIONS, Extensions, GlContext, Search, WebGl};
 use shaderlint_text::{FileId, Role, Sources, Span};
 use std::collections::HashSet;
 use std::rc::Rc;
@@ -106,7 +106,7 @@ impl ShaderInterface {
     pub fn of(
         text: &Rc<KnownText>,
         stage: Stage,
-        (macros, lines_before): (&[(String, String)], &str),
+        (macros, lines_before): (&[(String, String, ScriptPlace)], &str),
     ) -> ShaderInterface {
         let code = text.content.as_str();
         let lines = || code.lines().map(str::trim_start);
@@ -136,7 +136,7 @@ impl ShaderInterface {
         if !is_versioned && needs_300(&body) {
             head.push_str("#version 300 es\n");
         }
-        for (name, value) in macros {
+        for (name, value, _) in macros {
             head.push_str(&format!("#define {name} {value}\n"));
         }
         head.push_str(lines_before);
@@ -150,9 +150,14 @@ impl ShaderInterface {
 
     /// Adds the text, after what is compiled before it. The last file is the text.
     pub fn add(&self, sources: &mut Sources) -> Option<Vec<FileId>> {
+        self.add_after(Role::Prelude, sources)
+    }
+
+    /// As [`ShaderInterface::add`]; of a prelude nothing is reported.
+    pub fn add_after(&self, role: Role, sources: &mut Sources) -> Option<Vec<FileId>> {
         let mut files = Vec::new();
         if !self.head.is_empty() {
-            files.push(sources.add("", None, Role::Prelude, self.head.as_str())?);
+            files.push(sources.add("", None, role, self.head.as_str())?);
         }
         files.push(sources.add("shader", None, Role::User, self.body.as_str())?);
         Some(files)
@@ -270,18 +275,37 @@ impl ShaderInterface {
     }
 }
 
-/// Checks a shader, whose host may declare other names.
-pub fn compile(sources: &Arc<Sources>, files: &[FileId], stage: Stage) -> CheckedShader {
-    let unit = Unit {
+/// The context of a shader: the one in which its directives work.
+fn context(sources: &Sources, files: &[FileId]) -> GlContext {
+    let text = files.last().and_then(|id| sources.file(*id));
+    if !text.is_some_and(|f| f.text.contains("#extension") && !f.text.contains("300 es")) {
+        return GlContext::WEBGL2;
+    }
+    let mut enabled = Extensions::NONE;
+    enabled.extend(EXTENSIONS.iter().map(|facts| facts.extension));
+    GlContext {
+        webgl: WebGl::One,
+        enabled,
+        ..GlContext::WEBGL2
+    }
+}
+
+/// A shader whose host may declare other names.
+pub fn unit<'u>(sources: &'u Arc<Sources>, files: &'u [FileId], stage: Stage) -> Unit<'u> {
+    Unit {
         sources,
         files,
         stage,
         dialect: Dialect::WebGl,
-        context: GlContext::WEBGL2,
+        context: context(sources, files),
         infer_channels: false,
         completeness: Completeness::Chunk,
-    };
-    check_shader(&unit, &mut Search::for_text())
+    }
+}
+
+/// Checks a shader, whose host may declare other names.
+fn compile(sources: &Arc<Sources>, files: &[FileId], stage: Stage) -> CheckedShader {
+    check_shader(&unit(sources, files, stage), &mut Search::for_text())
 }
 
 /// Whether a line includes a chunk of a library.

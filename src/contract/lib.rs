@@ -6,6 +6,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod breach;
+mod compiled;
 mod feeds;
 mod fit;
 mod interface;
@@ -46,6 +47,7 @@ fn read(world: &World, release: Option<u32>) -> Contract {
     let mut breaches = Vec::new();
     let materials = materials::check(world, &mut breaches);
     feeds::check(world, &materials, &mut breaches);
+    compiled::check(world, &materials, &mut breaches);
     webgl::check(world, &mut breaches);
     patches::check(world, release, &mut breaches);
     targets::check(world, &materials, &mut breaches);

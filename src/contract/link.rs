@@ -1,10 +1,10 @@
 //! Both stages of a program that a script puts together.
 
 use crate::breach::Breach;
-use crate::interface::{Stages, compile};
-use shaderlint_explain::link::link;
+use crate::interface::{Stages, unit};
+use shaderlint_explain::{analyze, link::link};
 use shaderlint_script::ScriptPlace;
-use shaderlint_semantic::{CheckedShader, Stage};
+use shaderlint_semantic::Stage;
 use shaderlint_text::{Sources, Span};
 use std::sync::Arc;
 
@@ -25,12 +25,11 @@ pub fn check(stages: &Stages, place: ScriptPlace, found: &mut Vec<Breach>) {
     };
     let sources = Arc::new(sources);
     let (one, other) = (
-        compile(&sources, &of_vertex, Stage::Vertex),
-        compile(&sources, &of_fragment, Stage::Fragment),
+        analyze(&unit(&sources, &of_vertex, Stage::Vertex)),
+        analyze(&unit(&sources, &of_fragment, Stage::Fragment)),
     );
-    let is_read =
-        |checked: &CheckedShader| checked.syntax.is_empty() && checked.preprocessing.is_empty();
-    if !is_read(&one) || !is_read(&other) || one.program.version != other.program.version {
+    // A shader with errors does not get that far.
+    if one.has_errors() || other.has_errors() || one.program.version != other.program.version {
         return;
     }
     let at = |span: Span| {

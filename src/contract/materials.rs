@@ -27,6 +27,8 @@ pub struct Material<'w> {
     pub call: &'w ForeignCall,
     /// Where it is made.
     pub place: ScriptPlace,
+    /// The macros that it defines: names, values and places.
+    pub macros: Vec<(String, String, ScriptPlace)>,
     /// Its shaders.
     pub stages: Stages,
     /// The attributes that it is given itself.
@@ -111,6 +113,7 @@ fn material<'w>(world: &'w World, event: &'w ScriptEvent) -> Option<Material<'w>
         maker,
         call,
         place: event.place,
+        macros: macros.clone(),
         stages,
         attributes: at(world, call, &maker.attributes),
         uniforms: given.as_ref().and_then(ScriptValue::object),
@@ -161,7 +164,7 @@ fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<KnownText>> {
 }
 
 /// The macros that a script defines.
-fn macros(world: &World, call: &ForeignCall, maker: &Maker) -> Vec<(String, String)> {
+fn macros(world: &World, call: &ForeignCall, maker: &Maker) -> Vec<(String, String, ScriptPlace)> {
     let object = at(world, call, &maker.defines).and_then(|value| world.object(value.object()?));
     let properties = object.map_or(&[][..], |o| &o.properties);
     let macros = properties.iter().map(|p| {
@@ -171,7 +174,7 @@ fn macros(world: &World, call: &ForeignCall, maker: &Maker) -> Vec<(String, Stri
             ScriptValue::Bool(flag) => flag.to_string(),
             _ => String::new(),
         };
-        (p.key.to_string(), value)
+        (p.key.to_string(), value, p.place)
     });
     macros.collect()
 }

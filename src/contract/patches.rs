@@ -99,7 +99,7 @@ fn unmatched(patch: &Patch, inserted: &[&str], release: Option<u32>) -> Option<B
         .strip_prefix('<')?
         .strip_suffix('>')?;
     let own = presets().find_map(|preset| preset.chunk(name));
-    let has = own.is_some_and(|chunk| chunk.releases.contains(&release.unwrap_or(u32::MAX)));
+    let has = own.is_some_and(|chunk| release.is_none_or(|r| chunk.releases.contains(&r)));
     if has || inserted.iter().any(|text| text.contains(pattern)) {
         return None;
     }

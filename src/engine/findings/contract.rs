@@ -4,7 +4,7 @@ use super::stage::FileCheck;
 use shaderlint_contract::{Breach, NEWEST, is_library, may_make_programs};
 use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code};
 use shaderlint_detect::kind::{FileKind, file_extension};
-use shaderlint_diagnostic::{Diagnostic, ErrorKind, Origin, Severity, error};
+use shaderlint_diagnostic::{Diagnostic, Origin, Severity};
 use shaderlint_host::chunk_libraries;
 use shaderlint_lint::Settings;
 use shaderlint_project::{FileCache, Files, installed_release, meant};
@@ -32,15 +32,6 @@ const EXTENSIONS: &[&str] = &[
 const MAX_HELPER: usize = 3_000;
 /// Maximum number of bytes of a module; longer ones are libraries.
 const MAX_MODULE: usize = 300_000;
-
-/// The errors of linking.
-const LINK_ERRORS: &[ErrorKind] = &[
-    error::LINK_VERSION,
-    error::LINK_VARYING,
-    error::LINK_UNIFORM,
-    error::LINK_BLOCK,
-    error::LINK_ATTRIBUTE,
-];
 
 /// Finds modules among the files of a repository.
 struct ProgramModules<'a> {
@@ -168,12 +159,14 @@ fn diagnostic(
     label: Option<(Span, String)>,
     settings: &Settings,
 ) -> Option<Diagnostic> {
-    let mut d = match LINK_ERRORS.iter().find(|kind| kind.name == breach.rule) {
-        Some(kind) => Diagnostic::error(*kind, place, breach.message),
-        None => {
-            let rule = rule(breach.rule)?;
+    let mut d = match rule(breach.rule) {
+        Some(rule) => {
             let severity = settings.level(rule)?;
             Diagnostic::new(rule.name, Origin::Rule, severity, place, breach.message)
+        }
+        None => {
+            let (origin, severity) = (Origin::Compiler, Severity::Error);
+            Diagnostic::new(breach.rule, origin, severity, place, breach.message)
         }
     };
     if let Some((span, text)) = label {
