@@ -167,14 +167,15 @@ fn stored(world: &World, name: &str, stage: Stage) -> Option<Rc<KnownText>> {
 fn macros(world: &World, call: &ForeignCall, maker: &Maker) -> Vec<(String, String, ScriptPlace)> {
     let object = at(world, call, &maker.defines).and_then(|value| world.object(value.object()?));
     let properties = object.map_or(&[][..], |o| &o.properties);
-    let macros = properties.iter().map(|p| {
+    let macros = properties.iter().filter_map(|p| {
         let value = match &p.value {
             ScriptValue::Number(number) => number.to_string(),
-            ScriptValue::Text(text) => text.content.clone(),
+            ScriptValue::Text(text) if !text.is_open => text.content.clone(),
             ScriptValue::Bool(flag) => flag.to_string(),
-            _ => String::new(),
+            // What is not known defines nothing here.
+            _ => return None,
         };
-        (p.key.to_string(), value, p.place)
+        Some((p.key.to_string(), value, p.place))
     });
     macros.collect()
 }
