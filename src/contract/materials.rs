@@ -171,8 +171,9 @@ fn macros(world: &World, call: &ForeignCall, maker: &Maker) -> Vec<(String, Stri
         let value = match &p.value {
             ScriptValue::Number(number) => number.to_string(),
             ScriptValue::Text(text) if !text.is_open => text.content.clone(),
-            ScriptValue::Bool(flag) => flag.to_string(),
-            // What is not known defines nothing here.
+            // `false` defines nothing.
+            ScriptValue::Bool(true) => "true".to_string(),
+            // What is not known neither, here.
             _ => return None,
         };
         Some((p.key.to_string(), value, p.place))
