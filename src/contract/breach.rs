@@ -51,6 +51,11 @@ impl Breach {
     }
 }
 
+/// The name of the uniform that `lights[0].color` is a part of.
+pub fn base(name: &str) -> &str {
+    name.split(['[', '.']).next().unwrap_or(name)
+}
+
 /// The name among some that another looks like.
 pub fn nearest<'n>(name: &str, all: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let lower = name.to_ascii_lowercase();

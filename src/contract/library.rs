@@ -267,7 +267,6 @@ fn read_maker<'t>(
             "grouped" => maker.boxing = Boxing::Grouped,
             "copies" => maker.copies = true,
             "precise" => maker.is_precise = true,
-            "bare" => maker.gives.clear(),
             "setter" => maker.setter = value.to_string(),
             "store" => maker.store = value.to_string(),
             "listed" => maker.listed = path(),

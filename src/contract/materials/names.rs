@@ -1,7 +1,7 @@
 //! Names of uniforms: those that nothing sets, and those that no program has.
 
 use super::{Material, UniformKey};
-use crate::breach::{Breach, nearest};
+use crate::breach::{Breach, base, nearest};
 use crate::interface::DeclaredInput;
 use crate::library::Boxing;
 use shaderlint_script::{EventKind, ObjectKind, ScriptPlace, Source, World};
@@ -14,7 +14,7 @@ impl Material<'_> {
         found: &mut Vec<Breach>,
     ) {
         let own = |of: &Material, name: &str| {
-            let is_key = |key: &UniformKey| key.name.split(['[', '.']).next() == Some(name);
+            let is_key = |key: &UniformKey| base(&key.name) == name;
             of.keys.iter().any(is_key) || of.is_set_later(world, name)
         };
         // The same code may make it for several classes, of which each sets its own.
@@ -28,10 +28,7 @@ impl Material<'_> {
         let is_known = |name: &str| {
             self.stages.mention(name) || others.iter().any(|other| other.stages.mention(name))
         };
-        let strays = self.keys.iter().filter(|key| {
-            let base = key.name.split(['[', '.']).next().unwrap_or("");
-            !is_known(base)
-        });
+        let strays = self.keys.iter().filter(|key| !is_known(base(&key.name)));
         let strays: Vec<&UniformKey> = strays.collect();
         let mut named: Vec<&str> = Vec::new();
         for key in &strays {

@@ -1,7 +1,7 @@
 //! Values of uniforms: their types, and how they are written.
 
 use super::Material;
-use crate::breach::Breach;
+use crate::breach::{Breach, base};
 use crate::fit::misfit;
 use crate::interface::DeclaredInput;
 use crate::library::Boxing;
@@ -11,7 +11,7 @@ use shaderlint_script::{EventCertainty, EventKind, ScriptPlace, ScriptValue, Wor
 impl Material<'_> {
     pub(super) fn check_values(&self, world: &World, found: &mut Vec<Breach>) {
         for key in &self.keys {
-            let base = key.name.split(['[', '.']).next().unwrap_or(&key.name);
+            let base = base(&key.name);
             let is_element = base.len() < key.name.len();
             let Some(uniform) = self.declared(base).filter(|u| u.is_active) else {
                 continue;

@@ -2,18 +2,13 @@
 
 use super::replay::{GlLocation, GlProgram, GlReplay, argument, place_of};
 use super::setters::Setter;
-use crate::breach::{Breach, nearest};
+use crate::breach::{Breach, base, nearest};
 use crate::interface::DeclaredInput;
 use crate::shape::ValueShape;
 use shaderlint_script::{
     EventCertainty, EventKind, ForeignCall, ObjectId, ObjectKind, ScriptEvent, ScriptPlace,
     ScriptValue, Source, World,
 };
-
-/// The name of the uniform that `lights[0].color` is a part of.
-fn base(name: &str) -> &str {
-    name.split(['[', '.']).next().unwrap_or(name)
-}
 
 /// Properties that are a size in CSS pixels.
 const CSS_SIZES: &[&str] = &[
