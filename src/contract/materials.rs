@@ -254,15 +254,8 @@ impl Material<'_> {
 
     /// Whether an object is the one that holds the uniforms.
     fn is_uniforms(&self, world: &World, id: ObjectId) -> bool {
-        if self.uniforms == Some(id) {
-            return true;
-        }
-        match world.object(id).map(|o| &o.kind) {
-            Some(ObjectKind::Foreign(Source::Member(object, name))) => {
-                &**name == "uniforms" && *object == self.call.result
-            }
-            _ => false,
-        }
+        let own = Some((self.call.result, "uniforms"));
+        self.uniforms == Some(id) || world.member_of(id) == own
     }
 
     /// The uniform whose object this is.
@@ -270,12 +263,8 @@ impl Material<'_> {
         if let Some(key) = self.keys.iter().find(|key| key.value.object() == Some(id)) {
             return Some(key.name.clone());
         }
-        match world.object(id).map(|o| &o.kind) {
-            Some(ObjectKind::Foreign(Source::Member(object, name))) => {
-                self.is_uniforms(world, *object).then(|| name.to_string())
-            }
-            _ => None,
-        }
+        let (holder, name) = world.member_of(id)?;
+        self.is_uniforms(world, holder).then(|| name.to_string())
     }
 
     /// Whether something sets a uniform later, by its name.

@@ -243,12 +243,7 @@ fn uniforms_of(world: &World, shader: ObjectId) -> Option<Vec<(String, ScriptPla
 
 /// Whether an object is `shader.uniforms`.
 fn is_uniforms(world: &World, id: ObjectId, shader: ObjectId) -> bool {
-    match world.object(id).map(|o| &o.kind) {
-        Some(ObjectKind::Foreign(Source::Member(object, name))) => {
-            *object == shader && &**name == "uniforms"
-        }
-        _ => false,
-    }
+    world.member_of(id) == Some((shader, "uniforms"))
 }
 
 /// The uniforms that a text declares, with the places of their names.

@@ -2,9 +2,9 @@
 
 use crate::breach::Breach;
 use crate::materials::Material;
+use crate::webgl::constant;
 use shaderlint_script::{
-    EventKind, ForeignCall, ObjectId, ObjectKind, ScriptEvent, ScriptPlace, ScriptValue, Source,
-    World,
+    EventKind, ForeignCall, ObjectId, ScriptEvent, ScriptPlace, ScriptValue, World,
 };
 
 /// Adds what is wrong with the targets of programs.
@@ -21,15 +21,6 @@ pub fn check(world: &World, materials: &[Material], found: &mut Vec<Breach>) {
     check_draw_buffers(world, &calls, found);
     check_targets(world, &calls, materials, found);
     check_blending(world, &calls, materials, found);
-}
-
-/// A constant of WebGL.
-fn is_constant(world: &World, value: &ScriptValue, name: &str) -> bool {
-    let object = value.object().and_then(|id| world.object(id));
-    match object.map(|o| &o.kind) {
-        Some(ObjectKind::Foreign(Source::Member(_, own))) => &**own == name,
-        _ => false,
-    }
 }
 
 /// Extensions of WebGL1 for what a script does.
@@ -62,14 +53,13 @@ fn check_extensions(
     if names.iter().any(Option::is_none) {
         return;
     }
-    for (function, index, constant, extension) in NEEDED {
+    for (function, index, needing, extension) in NEEDED {
         let uses = calls.iter().find(|(call, _)| {
             let argument = call.arguments.get(*index).map(|(value, _)| value);
-            *function == &*call.name
-                && argument.is_some_and(|value| is_constant(world, value, constant))
+            *function == &*call.name && constant(world, argument) == Some(needing)
         });
         if let Some((_, event)) = uses.filter(|_| !names.contains(&Some(extension))) {
-            let message = format!("`{constant}` needs the extension `{extension}`");
+            let message = format!("`{needing}` needs the extension `{extension}`");
             let breach = Breach::new("render-target", event.place, message)
                 .note("WebGL reports INVALID_ENUM, and the call has no effect")
                 .help(Some(format!(
@@ -151,14 +141,9 @@ fn is_texture_of(world: &World, value: &ScriptValue, target: ObjectId) -> bool {
     let mut id = value.object();
     for _ in 0..3 {
         let Some(of) = id else { return false };
-        match world.object(of).map(|o| &o.kind) {
-            Some(ObjectKind::Foreign(Source::Member(holder, name))) => {
-                if *holder == target {
-                    return name.starts_with("texture");
-                }
-                id = Some(*holder);
-            }
-            _ => return false,
+        match world.member_of(of) {
+            Some((holder, name)) if holder == target => return name.starts_with("texture"),
+            holder => id = holder.map(|(holder, _)| holder),
         }
     }
     false

@@ -52,7 +52,7 @@ pub const fn plain_type(class: PlainClass) -> u32 {
     }
 }
 
-/// What every client is told; `null` where something is inserted. Changes of documents are sent as
+/// What every client receives; `null` where something is inserted. Changes of documents are sent as
 /// changes (2), not as full texts.
 const CAPABILITIES: &str = include_str!("capabilities.json");
 

@@ -230,6 +230,14 @@ impl<'a> World<'a> {
         }
     }
 
+    /// The object and the name of the property that a foreign object is.
+    pub fn member_of(&self, id: ObjectId) -> Option<(ObjectId, &str)> {
+        match &self.object(id)?.kind {
+            ObjectKind::Foreign(Source::Member(object, name)) => Some((*object, name)),
+            _ => None,
+        }
+    }
+
     /// The package that an object comes from, and its name there: `three` and `ShaderMaterial`.
     pub fn export_of(&self, id: ObjectId) -> Option<(&str, &str)> {
         match &self.object(id)?.kind {

@@ -109,10 +109,10 @@ impl Material<'_> {
         if self.maker.boxing == Boxing::Boxed && !self.is_open {
             // `material.uniforms.name.value`
             for (id, object) in world.objects.iter().enumerate() {
-                let ObjectKind::Foreign(Source::Member(holder, name)) = &object.kind else {
+                let Some((holder, name)) = world.member_of(id) else {
                     continue;
                 };
-                if !self.is_uniforms(world, *holder) || has(name) || world.optional.contains(&id) {
+                if !self.is_uniforms(world, holder) || has(name) || world.optional.contains(&id) {
                     continue;
                 }
                 let reads_value = world.objects.iter().any(|o| {
@@ -183,17 +183,12 @@ impl Material<'_> {
             return;
         };
         for (id, object) in world.objects.iter().enumerate() {
-            let ObjectKind::Foreign(Source::Member(holder, name)) = &object.kind else {
+            let Some((holder, name)) = world.member_of(id) else {
                 continue;
             };
-            let is_resources = match world.object(*holder).map(|o| &o.kind) {
-                Some(ObjectKind::Foreign(Source::Member(of, key))) => {
-                    *of == self.call.result && &**key == "resources"
-                }
-                _ => false,
-            };
+            let is_resources = world.member_of(holder) == Some((self.call.result, "resources"));
             let is_known =
-                given.properties.iter().any(|p| p.key == *name) || self.maker.gives(name);
+                given.properties.iter().any(|p| *p.key == *name) || self.maker.gives(name);
             let is_read = world.objects.iter().any(|o| {
                 matches!(&o.kind,
                 ObjectKind::Foreign(Source::Member(of, _)) if *of == id)
@@ -201,7 +196,7 @@ impl Material<'_> {
             if is_resources && !is_known && is_read && !world.optional.contains(&id) {
                 let near = nearest(name, given.properties.iter().map(|p| &*p.key)).or_else(|| {
                     let mut starts = given.properties.iter().map(|p| &*p.key);
-                    starts.find(|key| key.starts_with(&**name))
+                    starts.find(|key| key.starts_with(name))
                 });
                 let message = format!("the program has no resource `{name}`");
                 let breach = Breach::new("uniform-access", object.place, message)

@@ -9,6 +9,7 @@ mod uniforms;
 use crate::breach::Breach;
 use crate::link;
 use replay::GlReplay;
+pub use replay::constant;
 use shaderlint_script::World;
 pub use uniforms::{css_size, is_css_size};
 

@@ -93,17 +93,15 @@ fn inside(place: ScriptPlace) -> ScriptPlace {
 
 /// The name of a constant of WebGL.
 pub fn constant<'w>(world: &'w World, value: Option<&ScriptValue>) -> Option<&'w str> {
-    match &world.object(value?.object()?)?.kind {
-        ObjectKind::Foreign(Source::Member(_, name)) => Some(name),
-        _ => None,
-    }
+    let (_, name) = world.member_of(value?.object()?)?;
+    Some(name)
 }
 
 /// A program that a function makes of the texts of its shaders: `createProgramFromSources(gl, [vertex, fragment])`.
 fn made_of_texts(world: &World, id: ObjectId) -> Option<GlProgram> {
     let object = world.object(id)?;
-    let holder = match &object.kind {
-        ObjectKind::Foreign(Source::Member(of, name)) if &**name == "program" => *of,
+    let holder = match world.member_of(id) {
+        Some((of, "program")) => of,
         _ => id,
     };
     let call = world.call_of(holder);

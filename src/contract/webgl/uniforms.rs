@@ -50,13 +50,9 @@ impl GlReplay<'_> {
         if let Some((location, _)) = self.location(value).filter(|(l, _)| !l.is_attribute) {
             return Some((location.program, location.name.clone(), location.place));
         }
-        match &self.world.object(value?.object()?)?.kind {
-            ObjectKind::Foreign(Source::Member(table, name)) => {
-                let program = self.tables.get(table)?;
-                Some((*program, Some(name.to_string()), ScriptPlace::default()))
-            }
-            _ => None,
-        }
+        let (table, name) = self.world.member_of(value?.object()?)?;
+        let program = self.tables.get(&table)?;
+        Some((*program, Some(name.to_string()), ScriptPlace::default()))
     }
 
     /// Checks a call that looks up a name.
