@@ -4,6 +4,7 @@ mod cli;
 mod contract;
 mod corpus;
 mod debugging;
+mod declarations;
 mod definitions;
 mod differential;
 mod embed;

@@ -7,7 +7,7 @@ use super::lint::{self, Command, LintArgs, ProgramName, init, ir, reduce};
 #[cfg(feature = "lsp")]
 use super::lsp;
 use super::port::PortArgs;
-use super::{fmt, run as draw, test};
+use super::{fmt, run as draw, test, types};
 #[cfg(feature = "mcp")]
 use super::{mcp, port, usage};
 use crate::commands::{self, rule_list, rule_table};
@@ -46,6 +46,8 @@ fn run_command(command: &Command) -> io::Result<u8> {
         Command::Test(args) => return test::run(args),
         Command::Reduce(args) => return reduce::run(args),
         Command::Ir { file } => return ir::run(file),
+        Command::Types(args) => return types::run(args),
+        Command::Reflect(args) => return types::print_reflection(args),
         #[cfg(feature = "lsp")]
         Command::References(args) => return lsp::references(args),
         #[cfg(feature = "lsp")]

@@ -31,6 +31,7 @@ mod port;
 mod progress;
 mod run;
 mod test;
+mod types;
 mod usage;
 mod watch;
 

@@ -7,6 +7,7 @@ mod format;
 #[cfg(feature = "cli")]
 mod port;
 mod reading;
+mod reflect;
 pub mod run;
 mod scope;
 
@@ -16,3 +17,5 @@ pub use format::FormatRequest;
 #[cfg(feature = "cli")]
 pub use port::PortRequest;
 pub use reading::{Recognition, reading};
+pub use reflect::{FileReflection, ReflectedShader, ReflectionList, reflect, type_style};
+pub use shaderlint_reflect::{TypeStyle, UniformTypes, declaration, helpers, module};

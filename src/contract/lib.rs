@@ -19,7 +19,7 @@ mod targets;
 mod webgl;
 
 pub use breach::Breach;
-pub use library::{is_library, may_make_programs};
+pub use library::{is_given_to_patches, is_library, may_make_programs};
 pub use patches::NEWEST;
 use shaderlint_script::{Loader, World, evaluate};
 use std::path::{Path, PathBuf};

@@ -43,6 +43,8 @@ pub enum Facet {
     Declares,
     /// Valid in desktop GLSL.
     Desktop,
+    /// Each stage compiles; both together do not.
+    Links,
 }
 
 /// A kind of compile error.
@@ -55,7 +57,7 @@ pub struct ErrorKind {
     /// What the shader lacks, if anything.
     pub lacks: Option<Lack>,
     /// One bit per [`Facet`].
-    facets: u8,
+    facets: u16,
 }
 
 impl ErrorKind {
@@ -280,15 +282,15 @@ errors! { $
 
     // Both stages together.
     /// Stages with different versions of the language.
-    LINK_VERSION = "link-version";
+    LINK_VERSION = "link-version", is(Facet::Links);
     /// A fragment input without a matching vertex output.
-    LINK_VARYING = "link-varying";
+    LINK_VARYING = "link-varying", is(Facet::Links);
     /// A uniform with different declarations in the two stages.
-    LINK_UNIFORM = "link-uniform";
+    LINK_UNIFORM = "link-uniform", is(Facet::Links);
     /// A uniform block with different declarations in the two stages.
-    LINK_BLOCK = "link-block";
+    LINK_BLOCK = "link-block", is(Facet::Links);
     /// Attributes without a free location, or with the same one.
-    LINK_ATTRIBUTE = "link-attribute";
+    LINK_ATTRIBUTE = "link-attribute", is(Facet::Links);
 
     // Limits and versions.
     /// A limit of the browser's compiler is exceeded.

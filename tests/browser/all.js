@@ -14,6 +14,7 @@ import { rewriteTests } from './rewritten.js';
 import { serveTests } from './serve.js';
 import { options, suite } from './suite.js';
 import { threeWebgpuTests } from './three_webgpu.js';
+import { typeTests } from './types.js';
 import { unitTests } from './units.js';
 import { verdictTests } from './verdicts.js';
 import { hasWgsl, webgpuTests } from './webgpu.js';
@@ -29,6 +30,7 @@ suite('pages and modules', [
   ...(await corpusTests()),
   ...rewriteTests(),
   ...moduleTests,
+  ...typeTests,
   ...remountTests,
   ...serveTests,
   ...pageTests,

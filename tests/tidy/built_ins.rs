@@ -24,6 +24,7 @@ const HOMONYMS: &[&str] = &[
     "src/play/",
     "src/port/",
     "src/project/",
+    "src/reflect/",
     "src/script/",
 ];
 

@@ -139,6 +139,10 @@ pub enum Command {
     Test(Box<super::super::test::TestArgs>),
     /// Minimise a shader while keeping a diagnostic
     Reduce(super::reduce::ReduceArgs),
+    /// Write TypeScript declarations of what shaders declare
+    Types(super::super::types::TypesArgs),
+    /// Print what shaders declare as JSON
+    Reflect(super::super::types::ReflectArgs),
     /// List where the project of a file uses a name, with one group per symbol of this name
     #[cfg(feature = "lsp")]
     References(super::super::lsp::ReferencesArgs),
