@@ -454,7 +454,7 @@ impl Evaluator<'_, '_> {
         Some(text(result))
     }
 
-    /// A function of the language or of React without an object.
+    /// A function of the language, of React or of Vue without an object.
     pub fn global_function(
         &mut self,
         callee: ObjectId,
@@ -465,8 +465,12 @@ impl Evaluator<'_, '_> {
         let (source, name) = match &self.world.object(callee)?.kind {
             ObjectKind::Foreign(Source::Global(name)) => ("", name.clone()),
             ObjectKind::Foreign(Source::Package(package, name)) => {
-                let is_hook = ["react", "preact/hooks"].contains(&&**package);
-                (if is_hook { "react" } else { "other" }, name.clone())
+                let source = match &**package {
+                    "react" | "preact/hooks" => "react",
+                    "vue" => "vue",
+                    _ => "other",
+                };
+                (source, name.clone())
             }
             ObjectKind::Foreign(Source::Member(object, name)) => {
                 let package = self.world.export_of(*object).map(|(package, _)| package);
@@ -488,6 +492,9 @@ impl Evaluator<'_, '_> {
             )),
             ("", "Boolean" | "isNaN") => Some(ScriptValue::Any(Primitive::Bool)),
             ("", "Array") => Some(self.new_array(&(arguments.clone(), *is_open), place)),
+            // The same object, watched.
+            ("vue", "reactive" | "shallowReactive" | "readonly" | "markRaw" | "toRaw")
+            | ("", "$state") => first,
             ("react", "useMemo") => {
                 let function = self.own_function(first.as_ref())?;
                 Some(self.run(function, ScriptValue::Undefined, Vec::new(), place))

@@ -18,9 +18,15 @@ impl<'a> Evaluator<'a, '_> {
                     let js::JSXAttributeName::Identifier(name) = &attribute.name else {
                         continue;
                     };
-                    let value = self.attribute(scope, attribute);
                     let place = self.place(name.span);
-                    self.define(attributes, name.name.as_str(), value, place);
+                    // `{uniforms}` of Svelte
+                    let (name, value) = match name.name.strip_prefix('$') {
+                        Some(own) if attribute.value.is_none() => {
+                            (own, self.name(scope, own, place))
+                        }
+                        _ => (name.name.as_str(), self.attribute(scope, attribute)),
+                    };
+                    self.define(attributes, name, value, place);
                 }
                 js::JSXAttributeItem::SpreadAttribute(spread) => {
                     let value = self.expression(scope, &spread.argument);

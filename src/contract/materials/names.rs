@@ -104,7 +104,12 @@ impl Material<'_> {
                     .iter()
                     .chain(others.iter().flat_map(|other| &other.keys))
             };
-            keys().any(|key| key.name == name) || self.is_set_later(world, name)
+            // A key that looks like this uniform is reported, once.
+            let strays = || keys().filter(|key| !self.stages.mention(base(&key.name)));
+            keys().any(|key| key.name == name)
+                || self.is_set_later(world, name)
+                || self.stages.mention(name)
+                    && nearest(name, strays().map(|key| key.name.as_str())).is_some()
         };
         if self.maker.boxing == Boxing::Boxed && !self.is_open {
             // `material.uniforms.name.value`

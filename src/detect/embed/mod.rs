@@ -15,6 +15,7 @@ mod html;
 mod kdl;
 mod listing;
 mod markdown;
+mod markup;
 mod mention;
 mod receiver;
 mod script;
@@ -59,9 +60,11 @@ pub fn script_code(language: DocumentLanguage, text: &str) -> Option<String> {
         .chars()
         .flat_map(|c| std::iter::repeat_n(if c == '\n' { '\n' } else { ' ' }, c.len_utf8()))
         .collect();
-    for range in ranges {
-        let content = text.get(range.clone())?;
-        code.replace_range(range, content);
+    for range in &ranges {
+        code.replace_range(range.clone(), text.get(range.clone())?);
+    }
+    if language == DocumentLanguage::Component {
+        markup::add_elements(text, &ranges, &mut code);
     }
     Some(code)
 }
