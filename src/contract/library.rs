@@ -54,6 +54,8 @@ pub struct Maker {
     pub is_global: bool,
     /// Whether only listed uniforms can be set.
     pub is_limited: bool,
+    /// Whether it makes a class, whose instances have the uniforms as properties.
+    pub is_class: bool,
 }
 
 impl Maker {
@@ -124,6 +126,8 @@ struct LibraryTable {
     geometries: Vec<GeometryClass>,
     /// The attributes that shapes have.
     shapes: Vec<String>,
+    /// The properties of instances besides uniforms.
+    properties: Vec<String>,
     patched: String,
     /// The names of all makers, without dots.
     names: HashSet<String>,
@@ -164,6 +168,13 @@ pub fn attributes_of_shapes() -> &'static [String] {
     &table().shapes
 }
 
+/// Whether instances of a class that a maker makes have a property, which is no uniform: also `position-x` and
+/// `onUpdate`.
+pub fn is_property(name: &str) -> bool {
+    let is_handler = name.starts_with("on") && name.chars().nth(2).is_some_and(char::is_uppercase);
+    is_handler || name.contains('-') || table().properties.iter().any(|own| own == name)
+}
+
 /// The kind of a class for attributes.
 pub fn geometry_kind(origin: &LibraryExport) -> Option<GeometryKind> {
     let mut all = table().geometries.iter();
@@ -197,6 +208,7 @@ fn read(table: &str) -> LibraryTable {
             "feeds" => feeds = rest(),
             "signs" => found.signs = rest(),
             "shapes" => found.shapes = rest(),
+            "properties" => found.properties = rest(),
             "patched" => found.patched = rest().concat(),
             "geometry" => found.geometries.extend(read_geometry(&rest())),
             _ => found
@@ -250,6 +262,7 @@ fn read_maker<'t>(
         store: String::new(),
         listed: Vec::new(),
         is_limited: false,
+        is_class: false,
         is_global: false,
     };
     for word in words {
@@ -271,6 +284,7 @@ fn read_maker<'t>(
             "store" => maker.store = value.to_string(),
             "listed" => maker.listed = path(),
             "limited" => maker.is_limited = true,
+            "class" => maker.is_class = true,
             "global" => maker.is_global = true,
             _ => {}
         }

@@ -1,5 +1,6 @@
 //! Programs that libraries make of shaders and an object with the values of uniforms.
 
+mod elements;
 mod keys;
 mod lists;
 mod names;
@@ -68,6 +69,7 @@ pub fn check<'w>(world: &'w World, found: &mut Vec<Breach>) -> Vec<Material<'w>>
         material.check_lists(world, found);
         material.check_missing(world, &others, found);
         material.check_accesses(world, &others, found);
+        material.check_instances(world, found);
     }
     materials
 }
