@@ -1,5 +1,6 @@
 //! Attributes that the geometries of libraries feed.
 
+use crate::bindings::ProgramBindings;
 use crate::breach::{Breach, nearest};
 use crate::interface::DeclaredInput;
 use crate::library::{GeometryKind, LibraryExport, attributes_of_shapes, geometry_kind};
@@ -31,9 +32,14 @@ struct Geometry {
     place: ScriptPlace,
 }
 
-/// Adds what is wrong with the attributes of programs of libraries.
-pub fn check(world: &World, materials: &[Material], found: &mut Vec<Breach>) {
-    for material in materials {
+/// Adds what is wrong with the attributes of programs of libraries, and the places that name them.
+pub fn check(
+    world: &World,
+    materials: &[Material],
+    found: &mut Vec<Breach>,
+    bindings: &mut [ProgramBindings],
+) {
+    for (material, bindings) in materials.iter().zip(bindings) {
         let mut all = geometries(world, material);
         // With several, each must feed the shader; one that is not known may be the one in use.
         if let Some(object) = material.attributes.as_ref().and_then(ScriptValue::object) {
@@ -41,6 +47,12 @@ pub fn check(world: &World, materials: &[Material], found: &mut Vec<Breach>) {
         }
         for geometry in all {
             check_geometry(world, material, &geometry, found);
+            // A shape of a library names its attributes itself.
+            for feed in &geometry.feeds {
+                if let Some(place) = world.named(feed.place, &feed.name) {
+                    bindings.mentions.push((feed.name.clone(), place));
+                }
+            }
         }
     }
 }

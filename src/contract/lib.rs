@@ -5,6 +5,7 @@
 //! that is not known.
 #![cfg_attr(test, allow(clippy::string_slice))]
 
+mod bindings;
 mod breach;
 mod compiled;
 mod feeds;
@@ -18,6 +19,7 @@ mod shape;
 mod targets;
 mod webgl;
 
+pub use bindings::{BoundInput, InputSetting, InputValue, ProgramBindings};
 pub use breach::Breach;
 pub use library::{is_given_to_patches, is_library, may_make_programs};
 pub use patches::NEWEST;
@@ -26,11 +28,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What was found in a program.
+#[derive(Debug)]
 pub struct Contract {
     /// The files of the program, the root first.
     pub files: Vec<(PathBuf, Arc<str>)>,
     /// Where its scripts and shaders disagree, in no order.
     pub breaches: Vec<Breach>,
+    /// The programs, with the places that name and set their inputs.
+    pub bindings: Vec<ProgramBindings>,
 }
 
 /// Checks the program that starts with a script. `release` is the one of three.js that it uses, if that is known;
@@ -46,19 +51,24 @@ pub fn check(
 fn read(world: &World, release: Option<u32>) -> Contract {
     let mut breaches = Vec::new();
     let materials = materials::check(world, &mut breaches);
-    feeds::check(world, &materials, &mut breaches);
+    let mut bindings: Vec<ProgramBindings> =
+        materials.iter().map(|m| m.bind(world, release)).collect();
+    feeds::check(world, &materials, &mut breaches, &mut bindings);
     compiled::check(world, &materials, &mut breaches);
-    webgl::check(world, &mut breaches);
+    webgl::check(world, &mut breaches, &mut bindings);
     patches::check(world, release, &mut breaches);
     targets::check(world, &materials, &mut breaches);
     // What was not evaluated may set or feed the rest.
     if world.is_cut {
         breaches.retain(|b| b.rule != "unset-uniform" && b.rule != "attribute-data");
+        let inputs = bindings.iter_mut().flat_map(|program| &mut program.inputs);
+        inputs.for_each(|input| input.escapes = true);
     }
     breaches.sort_by(|a, b| (a.place, a.rule, &a.message).cmp(&(b.place, b.rule, &b.message)));
     breaches.dedup_by(|a, b| a.place == b.place && a.rule == b.rule);
     Contract {
         files: world.files.clone(),
         breaches,
+        bindings,
     }
 }

@@ -8,6 +8,8 @@
 mod check;
 mod check_context;
 pub mod config;
+mod contract_cache;
+mod contracts;
 mod findings;
 mod fix;
 mod hosts;
@@ -18,6 +20,7 @@ mod shader;
 mod text;
 
 pub use check::{analyze, check, check_content};
+pub use contracts::contracts;
 pub use findings::report::Report;
 pub use fix::fix_text::fix_text;
 pub use fix::format::{Formatting, format};

@@ -1,5 +1,6 @@
 //! The options of a check: dialect, rules, host, includes.
 
+use crate::contract_cache::ContractCache;
 use shaderlint_detect::kind::Claim;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
@@ -34,6 +35,8 @@ pub struct Options {
     pub claim: Claim,
     /// Cache of other files.
     pub file_cache: Arc<FileCache>,
+    /// Cache of what scripts set.
+    pub contracts: Arc<ContractCache>,
 }
 
 impl Default for Options {
@@ -57,6 +60,7 @@ impl Options {
             desktop: Desktop::default(),
             claim: Claim::default(),
             file_cache: Arc::default(),
+            contracts: Arc::default(),
         }
     }
 
@@ -74,6 +78,7 @@ impl Options {
             desktop,
             claim,
             file_cache: _,
+            contracts: _,
         } = self;
         format!(
             "{dialect:?} {webgl:?} {extensions:?} {settings:?} {host:?} {includes:?} {desktop:?} {claim:?}"

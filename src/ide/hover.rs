@@ -1,10 +1,12 @@
 //! Hover texts in Markdown.
 
+use super::bound::bound_at;
 use super::document::{Document, Spot};
 use super::index::{NameUse, Occurrence};
 use super::library::entry;
 use super::run::RunObservations;
-use super::symbol::{Symbol, builtin_variable, declared_at};
+use super::symbol::{Symbol, builtin_variable, declared_at, role};
+use shaderlint_detect::embed::NameRole;
 use shaderlint_diagnostic::count;
 use shaderlint_flow::Bound;
 use shaderlint_flow::ranges::Interval;
@@ -13,7 +15,10 @@ use shaderlint_lint::Facts;
 use shaderlint_project::Files;
 use shaderlint_project::bindings;
 use shaderlint_semantic::builtins::Builtins;
-use shaderlint_semantic::{BuiltinId, Program, Scalar, Stage, Storage, Type, Value};
+use shaderlint_semantic::interface::Interface;
+use shaderlint_semantic::{
+    BlockLayout, BlockMember, BuiltinId, Field, Program, Scalar, Stage, Storage, Type, Value,
+};
 use shaderlint_syntax::ast::{ExprId, ExprKind, StmtId};
 use shaderlint_text::Span;
 use shaderlint_text::number::rounded_count;
@@ -38,10 +43,21 @@ pub fn hover(
     let compiled = document.compiled_at(offset, files);
     let seen = seen.filter(|_| std::ptr::eq(compiled, document));
     let document = compiled;
-    let spot = document.spot(offset)?;
+    let Some(spot) = document.spot(offset) else {
+        let bound = bound_at(document, offset, files);
+        let text = bound.declarations() + &bound.settings();
+        let span = bound.span;
+        return (!text.is_empty()).then_some(Hover { span, text });
+    };
     let facts = spot.analysis.facts();
     let (span, text) = match spot.name() {
-        Some(name) => (name.span, of_name(&spot, &facts, name)),
+        Some(name) => {
+            let mut text = of_name(&spot, &facts, name);
+            if role(spot.program(), name.symbol) == NameRole::Input {
+                text.push_str(&bound_at(document, offset, files).settings());
+            }
+            (name.span, text)
+        }
         None => without_name(&spot, &facts, seen)?,
     };
     let span = document.report.in_input(span)?;
@@ -74,6 +90,7 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         Symbol::Macro(_) => text.push_str(&of_macro(program, name)),
         Symbol::Struct(_) | Symbol::MacroParameter(..) | Symbol::Builtin(_) => {}
     }
+    text.push_str(&layout(program, name.symbol).unwrap_or_default());
     let description = declared_at(program, name.symbol).and_then(|at| comment_above(program, at));
     let is_given = declared_at(program, name.symbol).is_none_or(|at| !program.is_user(at));
     let description =
@@ -86,6 +103,52 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
         text.push_str(&format!("\n{description}\n"));
     }
     text
+}
+
+/// Where a member of a uniform block is in its buffer, or the size of a block.
+fn layout(program: &Program, symbol: Symbol) -> Option<String> {
+    let own = symbol.name(program);
+    let interface = Interface::of(program);
+    interface.blocks.iter().find_map(|block| {
+        let record = u32::from(block.record);
+        let name = program.names.text(block.name);
+        let has = |field: &Field| program.names.text(field.name) == own;
+        let is_member = match symbol {
+            Symbol::Struct(id) if id == record => {
+                let size = BlockLayout::of(&interface, block)?.size;
+                return Some(format!("\nsize {size} (`std140`)\n"));
+            }
+            Symbol::Field(id, _) => id == record,
+            Symbol::Variable(id) => {
+                let is_uniform = program.variable(id)?.storage == Storage::Uniform;
+                let fields = &program.structs.get(usize::from(block.record))?.fields;
+                is_uniform && block.instance.is_none() && fields.iter().any(has)
+            }
+            _ => false,
+        };
+        let layout = BlockLayout::of(&interface, block).filter(|_| is_member)?;
+        let path = match block.instance {
+            Some(_) => format!("{name}.{own}"),
+            None => own.to_string(),
+        };
+        let is_part = |m: &&BlockMember| {
+            let rest = m.name.strip_prefix(&path);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['[', '.']))
+        };
+        let mut parts = layout.members.iter().filter(is_part);
+        let first = parts.next()?;
+        let last = parts.next_back().unwrap_or(first);
+        let (start, size) = (first.offset, last.offset + last.size - first.offset);
+        let stride = match first.stride {
+            stride if stride > 0 && first.name == format!("{path}[0]") => {
+                format!(", {stride} from an element to the next")
+            }
+            _ => String::new(),
+        };
+        Some(format!(
+            "\noffset {start}, size {size}{stride} (`std140`, in bytes of `{name}`)\n"
+        ))
+    })
 }
 
 /// The documentation of the value that a host assigns to a uniform of this name.

@@ -3,6 +3,7 @@
 #![cfg_attr(test, allow(clippy::string_slice))]
 
 mod actions;
+mod bound;
 mod branches;
 mod color;
 mod complete;
@@ -26,6 +27,7 @@ mod symbol;
 mod tokens;
 
 pub use actions::{Action, ActionKind, actions, fix_all};
+pub use bound::{BoundName, BoundNames, bound_at};
 pub use color::{Color, ColorSpan, colors, presentations};
 pub use complete::complete;
 pub use complete::proposal::{CompletionKind, Proposal};

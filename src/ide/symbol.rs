@@ -1,12 +1,13 @@
 //! The symbols that names refer to.
 
+use shaderlint_detect::embed::NameRole;
 use shaderlint_semantic::builtins::BuiltinStorage;
 use shaderlint_semantic::{
-    BuiltinId, Direction, Field, Function, FunctionRef, Program, Storage, Type, Variable,
+    BuiltinId, Direction, Field, Function, FunctionRef, Program, Stage, Storage, Type, Variable,
     VariableId,
 };
 use shaderlint_syntax::Name;
-use shaderlint_syntax::ast::Param;
+use shaderlint_syntax::ast::{DeclKind, Param};
 use shaderlint_text::Span;
 
 /// The symbol that a name refers to.
@@ -285,4 +286,33 @@ pub fn builtin_variable(program: &Program, name: &str) -> Option<String> {
         "{storage} {}",
         ty.unwrap_or_else(|| format!("gl_DepthRangeParameters {name}"))
     ))
+}
+
+/// What scripts may use a symbol for.
+pub fn role(program: &Program, symbol: Symbol) -> NameRole {
+    let is_input = match symbol.kind(program) {
+        SymbolKind::Uniform => true,
+        SymbolKind::Input => program.stage == Stage::Vertex,
+        // Uniform blocks are set by name, too.
+        SymbolKind::Struct => is_block(program, symbol),
+        _ => false,
+    };
+    match is_input {
+        true => NameRole::Input,
+        false => NameRole::Inner,
+    }
+}
+
+fn is_block(program: &Program, symbol: Symbol) -> bool {
+    let Symbol::Struct(id) = symbol else {
+        return false;
+    };
+    let declared = program.structs.get(id as usize).map(|s| s.token);
+    program.tree.decls.iter().any(|decl| match decl.kind {
+        DeclKind::Block { members, .. } => {
+            let own = program.tree.structure(members).and_then(|own| own.name);
+            own.map(|name| name.token) == declared
+        }
+        _ => false,
+    })
 }

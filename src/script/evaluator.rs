@@ -67,6 +67,9 @@ pub fn evaluate<R>(
         }
     }
     evaluator.world.is_cut |= evaluator.steps == 0;
+    let reads = &mut evaluator.world.reads;
+    reads.sort_unstable();
+    reads.dedup();
     Some(read(&evaluator.world))
 }
 
@@ -357,6 +360,7 @@ impl<'a> Evaluator<'a, '_> {
             }
             _ => return self.unknown(place),
         };
+        self.world.reads.push((id, place));
         if let Some(property) = self.world.property(id, key).cloned() {
             return match property.accessors {
                 [Some(getter), _] => self.run(getter, ScriptValue::Object(id), Vec::new(), place),

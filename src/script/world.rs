@@ -20,6 +20,8 @@ pub struct World<'a> {
     pub objects: Vec<ScriptObject<'a>>,
     /// Calls of functions outside of the program, and changes of objects.
     pub events: Vec<ScriptEvent>,
+    /// Objects whose properties are read, and where the names of these are written.
+    pub reads: Vec<(ObjectId, ScriptPlace)>,
     /// The values of which `?.` reads something.
     pub optional: Vec<ObjectId>,
     /// Whether a budget ended the evaluation.
@@ -275,6 +277,21 @@ impl<'a> World<'a> {
                     _ => false,
                 }
             })
+        })
+    }
+
+    /// The place of a name in the code at a place, such as that of a string; `None` if it is not written there.
+    pub fn named(&self, place: ScriptPlace, name: &str) -> Option<ScriptPlace> {
+        let (_, text) = self.files.get(place.file)?;
+        let code = text.get(place.start as usize..place.end as usize)?;
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
+        let mut words = code.split(|c| !is_part(c)).filter(|word| *word == name);
+        let start = words.next()?.as_ptr() as usize - code.as_ptr() as usize;
+        let start = place.start + start as u32;
+        words.next().is_none().then_some(ScriptPlace {
+            start,
+            end: start + name.len() as u32,
+            ..place
         })
     }
 

@@ -1,6 +1,7 @@
 //! Layers by what they make public: short texts in, answers out.
 
 mod causes;
+mod bound;
 mod dialects;
 mod editor;
 mod entries;

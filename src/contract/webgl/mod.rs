@@ -1,20 +1,22 @@
 //! Programs that scripts make with WebGL itself.
 
 mod attributes;
+mod bind;
 mod blocks;
 mod replay;
 mod setters;
 mod uniforms;
 
+use crate::bindings::ProgramBindings;
 use crate::breach::Breach;
 use crate::link;
 use replay::GlReplay;
 pub use replay::constant;
 use shaderlint_script::World;
-pub use uniforms::{css_size, is_css_size};
+pub use uniforms::{css_size, is_css_size, is_size};
 
-/// Adds what is wrong with the programs that scripts make with WebGL.
-pub fn check(world: &World, found: &mut Vec<Breach>) {
+/// Adds what is wrong with the programs that scripts make with WebGL, and their inputs.
+pub fn check(world: &World, found: &mut Vec<Breach>, bindings: &mut Vec<ProgramBindings>) {
     let mut replay = GlReplay::new(world);
     if replay.programs.is_empty() {
         return;
@@ -26,5 +28,6 @@ pub fn check(world: &World, found: &mut Vec<Breach>) {
     replay.check_unset(found);
     attributes::check(&replay, found);
     blocks::check(&replay, found);
+    bindings.extend(replay.bind());
     found.extend(replay.verdicts.0.into_values().flatten());
 }

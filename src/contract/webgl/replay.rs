@@ -37,7 +37,7 @@ pub struct GlLocation {
     pub name: Option<String>,
     pub is_attribute: bool,
     pub place: ScriptPlace,
-    /// Whether the name comes from a list, which may be for several programs.
+    /// Whether the name comes from a list, which may be for several programs, or from WebGL.
     pub is_listed: bool,
 }
 
@@ -149,8 +149,17 @@ fn made_of_texts(world: &World, id: ObjectId) -> Option<GlProgram> {
 }
 
 /// What a script looks up.
-fn location_of(call: &ForeignCall, program: ObjectId, place: ScriptPlace) -> GlLocation {
+fn location_of(
+    world: &World,
+    call: &ForeignCall,
+    program: ObjectId,
+    place: ScriptPlace,
+) -> GlLocation {
     let name = argument(call, 1);
+    // `gl.getActiveUniform(program, index).name`
+    let info = name.and_then(|name| world.member_of(name.object()?));
+    let info = info.and_then(|(info, _)| world.call_of(info));
+    let is_active = info.is_some_and(|call| call.name.starts_with("getActive"));
     let written = match name {
         Some(ScriptValue::Text(text)) => text.place(0..text.content.len()),
         _ => None,
@@ -161,7 +170,7 @@ fn location_of(call: &ForeignCall, program: ObjectId, place: ScriptPlace) -> GlL
         name: name.and_then(ScriptValue::text).map(str::to_string),
         is_attribute: &*call.name == "getAttribLocation",
         place: written.or(given).unwrap_or(place),
-        is_listed: written.is_some() && written != given.map(inside),
+        is_listed: is_active || written.is_some() && written != given.map(inside),
     }
 }
 
@@ -241,7 +250,7 @@ impl<'w> GlReplay<'w> {
                 }
             }
             ("getUniformLocation" | "getAttribLocation", Some(program)) => {
-                let location = location_of(call, program, event.place);
+                let location = location_of(self.world, call, program, event.place);
                 self.locations.insert(call.result, location);
             }
             ("useProgram", Some(program)) => {

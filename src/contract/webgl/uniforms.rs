@@ -31,6 +31,28 @@ pub fn is_css_size(world: &World, value: &ScriptValue) -> bool {
     }
 }
 
+/// Whether a value is the width of the frame, or its height; `None` for any other.
+pub fn is_size(world: &World, value: &ScriptValue) -> Option<bool> {
+    let id = value.object()?;
+    let name = match &world.object(id)?.kind {
+        ObjectKind::Foreign(Source::Member(of, name)) if ["width", "height"].contains(&&**name) => {
+            let is_element = |call: &ForeignCall| {
+                let found = ["getElementById", "querySelector", "createElement"];
+                found.contains(&&*call.name)
+            };
+            let holder = world.member_of(*of).map(|(_, name)| name);
+            let is_canvas = matches!(holder, Some("canvas" | "domElement"));
+            (is_canvas || world.call_of(*of).is_some_and(is_element)).then_some(name)?
+        }
+        ObjectKind::Foreign(Source::Member(_, name) | Source::Global(name)) => {
+            let is_own = CSS_SIZES.contains(&&**name) || name.starts_with("drawingBuffer");
+            Some(name).filter(|_| is_own)?
+        }
+        _ => return None,
+    };
+    Some(name.ends_with("idth"))
+}
+
 /// Whether a program multiplies sizes by the number of device pixels per CSS pixel.
 pub fn uses_pixel_ratio(world: &World) -> bool {
     world.objects.iter().any(|o| match &o.kind {

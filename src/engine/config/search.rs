@@ -4,6 +4,7 @@ use super::layer::Config;
 use super::load::{FILE, LastGood, load};
 use super::project::{ProjectFinder, ProjectFolders, ProjectLimit};
 use super::selection::{Selection, options, style};
+use crate::contract_cache::ContractCache;
 use crate::options::Options;
 use shaderlint_format::StyleChoice;
 use shaderlint_lint::{Settings, UnknownRule};
@@ -60,6 +61,8 @@ pub struct Configs {
     cache: Mutex<Cache>,
     /// Files that were read for other files, such as includes.
     file_cache: Arc<FileCache>,
+    /// What scripts set.
+    contracts: Arc<ContractCache>,
 }
 
 type FoundConfig = Result<Option<Arc<Config>>, Arc<str>>;
@@ -92,6 +95,7 @@ impl Configs {
             last_good: None,
             cache: Mutex::default(),
             file_cache: Arc::default(),
+            contracts: Arc::default(),
         }
     }
 
@@ -205,6 +209,7 @@ impl Configs {
         options.includes.tops.clone_from(&project.tops);
         options.includes.root.clone_from(&project.root);
         options.file_cache = self.file_cache.clone();
+        options.contracts = self.contracts.clone();
         let options = Arc::new(options);
         self.lock().options.insert(key, options.clone());
         Ok(options)

@@ -1,5 +1,6 @@
 //! Code completion.
 
+mod bound;
 mod candidates;
 mod expected;
 pub(super) mod proposal;
@@ -29,7 +30,7 @@ pub fn complete(document: &Document, offset: u32, files: &dyn Files) -> (Span, V
         Some(spot) => CompletionPlace::of(&spot),
         // An empty file is not detected as a shader.
         None if document.text.trim().is_empty() => CompletionPlace::Code,
-        None => return nothing,
+        None => return (word, bound::inputs(document, word, files)),
     };
     let found = match place {
         CompletionPlace::Comment(description) => {

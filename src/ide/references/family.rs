@@ -1,10 +1,11 @@
 //! The names that must be the same: those of one symbol, and of its declarations in other branches
 //! of `#if` and in other files, and in the scripts that use the shader.
 
-use super::scripts::{in_scripts, names_file, role};
+use super::scripts::{in_scripts, names_file};
+use crate::bound::{BoundName, declared_inputs};
 use crate::document::{Document, FileSpan, Spot, SymbolOrigin};
 use crate::index::{NameUse, Occurrence, is_inactive};
-use crate::symbol::{Symbol, SymbolKind};
+use crate::symbol::{Symbol, SymbolKind, declared_at, role};
 use shaderlint_detect::embed::{MentionKind, NameRole};
 use shaderlint_project::Files;
 use shaderlint_semantic::{Completeness, Program, Resolution};
@@ -229,7 +230,12 @@ fn form(program: &Program, symbol: Symbol) -> Option<String> {
 pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> NameFamily {
     let word = here.text();
     let same = SameWord::of(documents, word, files);
-    let mut family = same.family(BTreeSet::from([here.origin()]));
+    let bound = bound(documents, here, files);
+    let declared = bound.iter().flat_map(BoundName::declared);
+    let linked = declared.filter_map(|place| same.compiled.get(&place));
+    let mut origins: BTreeSet<SymbolOrigin> = linked.flatten().cloned().collect();
+    origins.insert(here.origin());
+    let mut family = same.family(origins);
     if may_be_used_elsewhere(here) {
         let open = same.open.iter();
         let open = open.filter(|(place, _)| !same.compiled.contains_key(*place));
@@ -274,7 +280,46 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
             family.mentions.insert(FileSpan { path, span }, (kind, i));
         }
     }
+    add_bound(documents, &bound, &mut family);
     family
+}
+
+/// The inputs of programs that a name is.
+fn bound(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Vec<BoundName> {
+    let (reading, program) = (here.spot.document, here.spot.program());
+    let symbol = here.name.symbol;
+    let place = declared_at(program, symbol).and_then(|span| reading.place(span));
+    let mut all = documents.iter();
+    // In the same document only, other files are of no interest.
+    let own = all.find(|d| d.path == reading.path && (documents.len() > 1 || d.is_script()));
+    match (place, own) {
+        (Some(place), Some(own)) if role(program, symbol) == NameRole::Input => {
+            declared_inputs(own, here.text(), &place, files)
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Adds the places of scripts that are known to name an input, and those that compute names.
+fn add_bound(documents: &[&Document], bound: &[BoundName], family: &mut NameFamily) {
+    let at = |place: &FileSpan| {
+        let found = documents.iter().position(|d| d.path == place.path);
+        found.unwrap_or_default()
+    };
+    for place in bound.iter().flat_map(BoundName::mentions) {
+        let at = at(&place);
+        let known = family
+            .mentions
+            .entry(place)
+            .or_insert((MentionKind::Name, at));
+        if known.0 == MentionKind::Unclear {
+            known.0 = MentionKind::Name;
+        }
+    }
+    for place in bound.iter().flat_map(BoundName::computed) {
+        let at = at(&place);
+        family.mentions.insert(place, (MentionKind::Unclear, at));
+    }
 }
 
 /// Whether texts that name nothing of this shader may refer to its symbol: the host that completes a

@@ -1,41 +1,9 @@
 //! The names of a shader in the scripts that use it.
 
 use crate::document::Document;
-use crate::symbol::{Symbol, SymbolKind};
 use shaderlint_detect::embed::{DocumentLanguage, Mention, MentionKind, NameRole, mentions};
 use shaderlint_detect::kind::file_extension;
-use shaderlint_semantic::{Program, Stage};
-use shaderlint_syntax::ast::DeclKind;
 use shaderlint_text::Span;
-
-/// What scripts may use a symbol for.
-pub fn role(program: &Program, symbol: Symbol) -> NameRole {
-    let is_input = match symbol.kind(program) {
-        SymbolKind::Uniform => true,
-        SymbolKind::Input => program.stage == Stage::Vertex,
-        // Uniform blocks are set by name, too.
-        SymbolKind::Struct => is_block(program, symbol),
-        _ => false,
-    };
-    match is_input {
-        true => NameRole::Input,
-        false => NameRole::Inner,
-    }
-}
-
-fn is_block(program: &Program, symbol: Symbol) -> bool {
-    let Symbol::Struct(id) = symbol else {
-        return false;
-    };
-    let declared = program.structs.get(id as usize).map(|s| s.token);
-    program.tree.decls.iter().any(|decl| match decl.kind {
-        DeclKind::Block { members, .. } => {
-            let own = program.tree.structure(members).and_then(|own| own.name);
-            own.map(|name| name.token) == declared
-        }
-        _ => false,
-    })
-}
 
 /// The places where the scripts of a document refer to a name.
 pub fn in_scripts(document: &Document, name: &str, role: NameRole) -> Vec<(Span, MentionKind)> {

@@ -1,5 +1,6 @@
 //! Answers that edit text: fixes, renaming, formatting.
 
+use super::navigation::declared;
 use super::refactor::refactorings;
 use super::workspace::{Related, project_files};
 use crate::buffers::{TextBuffer, full_range};
@@ -117,8 +118,13 @@ pub fn prepare_rename(
 ) -> Answer<Option<PrepareRenameResult>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
     let document = snapshot.document(buffer);
-    let found = ide::may_rename(&document, offset, &snapshot.files);
+    let (named, at) = declared(snapshot, document.clone(), offset);
+    let found = ide::may_rename(&named, at, &snapshot.files);
     let (span, placeholder) = found.map_err(|refusal| Failure::refused(refusal.0))?;
+    let span = match document.spot(offset) {
+        Some(_) => span,
+        None => ide::bound_at(&document, offset, &snapshot.files).span,
+    };
     let range = buffer.lines(snapshot.columns()).range(span);
     Ok(Some(PrepareRenameResult::PrepareRenamePlaceholder(
         PrepareRenamePlaceholder { range, placeholder },
@@ -128,7 +134,7 @@ pub fn prepare_rename(
 /// Renames the name at a position in all files of the workspace.
 pub fn rename(snapshot: &Snapshot, params: RenameParams) -> Answer<Option<WorkspaceEdit>> {
     let (buffer, offset) = snapshot.place(&params.text_document_position_params)?;
-    let document = snapshot.document(buffer);
+    let (document, offset) = declared(snapshot, snapshot.document(buffer), offset);
     let related = Related::of(snapshot, &document, offset);
     if related.is_cut {
         return Err(Failure::refused(

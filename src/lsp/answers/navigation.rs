@@ -1,6 +1,6 @@
 //! Definitions, references, outlines and call hierarchies.
 
-use super::workspace::Related;
+use super::workspace::{Related, document_at};
 use crate::buffers::TextBuffer;
 use crate::capabilities::symbol_kind;
 use crate::snapshot::{Answer, Failure, Snapshot};
@@ -9,6 +9,7 @@ use gen_lsp_types::*;
 use shaderlint_ide::{self as ide, CallItem, Document, FileSpan, NameUse, OutlineItem};
 use shaderlint_project::Files;
 use shaderlint_text::Span;
+use std::path::Path;
 use std::sync::Arc;
 
 type Find = fn(&Document, u32, &dyn Files) -> Option<FileSpan>;
@@ -33,12 +34,39 @@ pub fn definition(
             file,
         ))));
     }
-    let found = find(
-        snapshot,
-        &params.text_document_position_params,
-        ide::definition,
-    )?;
+    let at = &params.text_document_position_params;
+    let (buffer, offset) = snapshot.place(at)?;
+    let document = snapshot.document(buffer);
+    if document.spot(offset).is_none() {
+        let declared = ide::bound_at(&document, offset, &snapshot.files).declared();
+        let all = declared.iter().filter_map(|place| snapshot.location(place));
+        let all = Definition::LocationList(all.collect());
+        return Ok(Some(DefinitionResponse::Definition(all)));
+    }
+    let found = find(snapshot, at, ide::definition)?;
     Ok(found.map(|place| DefinitionResponse::Definition(Definition::Location(place))))
+}
+
+/// The document and offset of the declaration of the input that a position in a script names; the position itself
+/// where it is in a shader.
+pub fn declared(snapshot: &Snapshot, document: Arc<Document>, offset: u32) -> (Arc<Document>, u32) {
+    if document.spot(offset).is_some() {
+        return (document, offset);
+    }
+    let bound = ide::bound_at(&document, offset, &snapshot.files);
+    let places = bound.declared().into_iter();
+    let mut found = places.filter_map(|place| {
+        let document = match place.path == document.path {
+            true => document.clone(),
+            false => document_at(snapshot, Path::new(&place.path))?,
+        };
+        let offset = place.span.start;
+        document
+            .spot(offset)
+            .is_some()
+            .then_some((document, offset))
+    });
+    found.next().unwrap_or_else(|| (document.clone(), offset))
 }
 
 /// The file that the include directive at a position refers to.
@@ -121,7 +149,7 @@ pub fn name_uses(
     buffer: &TextBuffer,
     offset: u32,
 ) -> Vec<(FileSpan, NameUse)> {
-    let document = snapshot.document(buffer);
+    let (document, offset) = declared(snapshot, snapshot.document(buffer), offset);
     let related = Related::of(snapshot, &document, offset);
     ide::references(&related.all(), &document, offset, &snapshot.files)
 }
@@ -247,7 +275,7 @@ fn place_of(snapshot: &Snapshot, item: &CallHierarchyItem) -> Answer<(Arc<Docume
         // An included file that is not open.
         Err(failure) => {
             let path = path_of(&item.uri).ok_or(failure)?;
-            let read = super::workspace::document_at(snapshot, &path);
+            let read = document_at(snapshot, &path);
             read.ok_or_else(|| Failure::refused("cannot read the file"))?
         }
     };

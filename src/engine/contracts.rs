@@ -1,0 +1,149 @@
+//! The contracts of the scripts around shaders, each evaluated once.
+
+use crate::options::Options;
+use shaderlint_contract::{Contract, NEWEST, is_library, may_make_programs};
+use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code};
+use shaderlint_detect::kind::file_extension;
+use shaderlint_host::chunk_libraries;
+use shaderlint_project::{FileAccess, FileCache, Files, installed_release, meant};
+use shaderlint_script::Loader;
+use shaderlint_text::path::plain;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Maximum number of scripts around a shader file that are evaluated.
+const MAX_AROUND: usize = 4;
+/// Extensions that imports leave out.
+const EXTENSIONS: &[&str] = &[
+    "",
+    ".ts",
+    ".js",
+    ".tsx",
+    ".jsx",
+    ".mjs",
+    "/index.ts",
+    "/index.js",
+    "/index.tsx",
+];
+
+/// Maximum number of bytes of a module that makes no programs; what longer ones export is not known.
+const MAX_HELPER: usize = 3_000;
+/// Maximum number of bytes of a module; longer ones are libraries.
+const MAX_MODULE: usize = 300_000;
+
+/// Finds modules among the files of a repository.
+struct ProgramModules<'a> {
+    files: &'a dyn Files,
+    cache: &'a FileCache,
+}
+
+impl Loader for ProgramModules<'_> {
+    fn load(&self, path: &str, from: &Path) -> Option<(PathBuf, Arc<str>)> {
+        // Libraries are known by their names.
+        if is_library(path) || path.contains("node_modules") {
+            return None;
+        }
+        let top = self.cache.top(from, self.files);
+        // What starts with a name is a package, unless a bundler maps it to a folder.
+        let is_near = path.starts_with(['.', '/', '@', '~', '#']) || path.contains(['/', '.']);
+        let all = meant(path, from, &top).into_iter().filter(|_| is_near);
+        let named = all.flat_map(|path| {
+            // `./a.js` may be compiled from `./a.ts`.
+            let text = path.to_string_lossy().into_owned();
+            let source = text
+                .strip_suffix(".js")
+                .map(|stem| PathBuf::from(format!("{stem}.ts")));
+            let with = EXTENSIONS
+                .iter()
+                .map(move |e| PathBuf::from(format!("{text}{e}")));
+            with.chain(source)
+        });
+        let mut found = named.filter_map(|path| Some((path.clone(), self.files.load(&path).ok()?)));
+        let (path, text) = found.next()?;
+        let is_short = text.len() <= MAX_HELPER;
+        let is_read = is_short || text.len() <= MAX_MODULE && may_make_programs(&text);
+        (is_read || self.script(&path, "").is_none()).then_some((path, text))
+    }
+
+    fn script(&self, path: &Path, text: &str) -> Option<String> {
+        let extension = file_extension(&path.to_string_lossy());
+        script_code(DocumentLanguage::of_extension(&extension)?, text)
+    }
+
+    fn element(&self, text: &str, id: &str) -> Option<Range<usize>> {
+        element_of(text, id)
+    }
+}
+
+/// Whether a file may contain scripts.
+fn is_script(path: &str) -> bool {
+    let language = DocumentLanguage::of_extension(&file_extension(path));
+    matches!(
+        language,
+        Some(DocumentLanguage::Script | DocumentLanguage::Component | DocumentLanguage::Html)
+    )
+}
+
+/// The contract of the program that starts with a script, which is evaluated unless it is known.
+pub fn contract(
+    path: &str,
+    text: &str,
+    options: &Options,
+    files: &dyn Files,
+) -> Option<Arc<Contract>> {
+    if !is_script(path) || !may_make_programs(text) {
+        return None;
+    }
+    let place = Path::new(path);
+    if let Some(known) = options.contracts.get(place, text, files) {
+        return Some(known);
+    }
+    let modules = ProgramModules {
+        files,
+        cache: &options.file_cache,
+    };
+    let release = release(path, text, options.file_access(files));
+    let found = Arc::new(shaderlint_contract::check(
+        (place, text),
+        release,
+        &modules,
+    )?);
+    options.contracts.keep(place, found.clone());
+    Some(found)
+}
+
+/// The contracts of the programs that a file is in: its own if it is a script, and those of the scripts that
+/// import a shader file.
+pub fn contracts(
+    path: &str,
+    text: &str,
+    options: &Options,
+    files: &dyn Files,
+) -> Vec<Arc<Contract>> {
+    if is_script(path) {
+        return contract(path, text, options, files).into_iter().collect();
+    }
+    let file = plain(&files.here().join(path));
+    let importers = options.file_cache.importers(&file, files);
+    let found = importers.iter().filter_map(|script| {
+        let text = files.load(script).ok()?;
+        contract(&script.to_string_lossy(), &text, options, files)
+    });
+    found.take(MAX_AROUND).collect()
+}
+
+/// The release of the library of a patch that the project has, or that addresses in the script name.
+fn release(path: &str, text: &str, access: FileAccess) -> Option<u32> {
+    if !text.contains("onBeforeCompile") {
+        return None;
+    }
+    let library = chunk_libraries().first()?;
+    let installed = installed_release(path, library.package, access);
+    let named = installed.or_else(|| library.cited_in(text).last().copied());
+    // A program that imports the package and lists no version gets the newest one.
+    let imports = ['"', '\'']
+        .iter()
+        .any(|quote| text.contains(&format!("from {quote}{}{quote}", library.package)));
+    named.or(imports.then_some(NEWEST))
+}
