@@ -133,9 +133,9 @@ pub fn contracts(
     found.take(MAX_AROUND).collect()
 }
 
-/// The release of the library of a patch that the project has, or that addresses in the script name.
+/// The release of the library of a patch or colour that the project has, or that addresses in the script name.
 fn release(path: &str, text: &str, access: FileAccess) -> Option<u32> {
-    if !text.contains("onBeforeCompile") {
+    if !text.contains("onBeforeCompile") && !text.contains("Color(") {
         return None;
     }
     let library = chunk_libraries().first()?;

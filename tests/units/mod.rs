@@ -1,7 +1,7 @@
 //! Layers by what they make public: short texts in, answers out.
 
-mod causes;
 mod bound;
+mod causes;
 mod dialects;
 mod editor;
 mod entries;

@@ -181,6 +181,21 @@ impl<'t> MentionReader<'t, '_> {
         })
     }
 
+    /// Whether people read a string: `{ label: 'speed' }`, `folder.add(speed, 'value').name('speed')`.
+    fn is_label(&self, id: ScriptNodeId, receiver: Option<(ScriptNodeId, bool)>) -> bool {
+        let parent = self
+            .tree
+            .node(id)
+            .and_then(|node| self.tree.node(node.parent?));
+        let is_shown = parent.is_some_and(|node| match &node.kind {
+            NodeKind::Property(name) => ["label", "title"].contains(&self.word(name)),
+            _ => false,
+        });
+        let called = receiver.filter(|(_, is_call)| *is_call);
+        let called = called.and_then(|(of, _)| self.tree.last_name(self.text, of));
+        is_shown || called.is_some_and(|name| ["name", "log", "warn"].contains(&name))
+    }
+
     /// A string or template with the ranges of its `${...}`.
     fn string(&mut self, id: ScriptNodeId, span: &Range<usize>, holes: &[Range<usize>]) {
         let rest = self.word(span).strip_prefix(self.name);
@@ -191,6 +206,9 @@ impl<'t> MentionReader<'t, '_> {
         }
         let receiver = self.receiver(id);
         let is_clear = receiver.is_some_and(|(of, _)| self.is_about_inputs(Some(of)));
+        if self.is_label(id, receiver) {
+            return;
+        }
         if self.role == NameRole::Input || is_clear && receiver.is_some_and(|(_, calls)| calls) {
             let range = span.start..span.start + self.name.len();
             self.add(range, is_clear.then_some(MentionKind::Name));
