@@ -16,6 +16,7 @@ mod hosts;
 pub mod inputs;
 mod options;
 mod repair;
+mod scripted;
 mod shader;
 mod text;
 
@@ -29,6 +30,7 @@ pub use fix::offer::Offer;
 pub use fix::verify::{Original, Verified, equal, verify};
 pub use options::{Desktop, DialectChoice, HostNames, HostUniform, Options};
 pub use repair::{Repairs, repair, repairable};
+pub use scripted::{ScriptedValue, scripted, set_from_scripts};
 pub use shader::analysis::Analysis;
 pub use shader::shader_input::Shader;
 pub use shaderlint_semantic::Completeness;

@@ -8,6 +8,7 @@ use gen_lsp_types::{Position, Range, Uri, WorkspaceEdit};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use shaderlint_diagnostic::Severity;
+use shaderlint_engine::{scripted, set_from_scripts};
 use shaderlint_ide::{self as ide, Document, ShownValue};
 use shaderlint_port::html;
 use shaderlint_project::{
@@ -163,6 +164,9 @@ fn shown_project(
     } = draft(snapshot, document, shader)?;
     let wrong = |error: shaderlint_project::ShaderError| Failure::refused(error.to_string());
     let composed = project.resolve(&buffer.path).map_err(wrong)?;
+    let (options, files) = (&document.options, &snapshot.files);
+    let values = scripted(&document.path, &document.text, options, files);
+    set_from_scripts(&mut project, &values);
     if !project.is_shown() {
         return Err(Failure::refused(
             "the document contains no shader that can be drawn",

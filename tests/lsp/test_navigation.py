@@ -194,3 +194,36 @@ def test_slow_requests_leave_no_stale_state(case):
         client.write_all(library.uri, library.text)
         client.replace(source.uri, 0, 0, "\n")
         assert errors(client.of(source.uri, "textDocument/diagnostic")["items"]) == [], "with the old name"
+
+
+SEA = {
+    "sea.vert": "uniform float «vertex»uTime;\nvoid main() { gl_Position = vec4(position * uTime, 1.0); }\n",
+    "sea.frag": "uniform float «fragment»uTime;\nvoid main() { gl_FragColor = vec4(uTime); }\n",
+    "main.ts": """import { ShaderMaterial } from 'three';
+import vertexShader from './sea.vert';
+import fragmentShader from './sea.frag';
+const material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms: { «key»uTime: { value: 0.5 } } });
+export function update(time: number) { material.uniforms.«later»uTime.value = time; }
+""",
+}
+
+
+def test_uniforms_lead_from_scripts_to_shaders_and_back(case):
+    client = case.client()
+    vertex, fragment, script = [case.write(name, text) for name, text in SEA.items()]
+    script.open(client, "typescript")
+    shaders = {(vertex.uri, 0), (fragment.uri, 0)}
+    for place in ("key", "later"):
+        found = client.at(script.uri, script[place] + 2, "textDocument/definition")
+        assert {(at["uri"], at["range"]["start"]["line"]) for at in found} == shaders, place
+        text = client.at(script.uri, script[place], "textDocument/hover")["contents"]["value"]
+        assert "uniform float uTime" in text and "set to `0.5` in `main.ts:4`" in text, text
+        found = client.at(script.uri, script[place], "textDocument/references", context={"includeDeclaration": True})
+        assert len(found) == 6, found
+        edit = client.at(script.uri, script[place], "textDocument/rename", newName="uClock")
+        assert len(edit["changes"]) == 3, edit
+    found = client.at(script.uri, script["later"], "textDocument/prepareRename")
+    assert found["placeholder"] == "uTime" and found["range"]["start"]["line"] == 4, found
+    fragment.open(client)
+    found = client.at(fragment.uri, fragment["fragment"], "textDocument/hover")["contents"]["value"]
+    assert "changed in `main.ts:5`" in found, found

@@ -7,8 +7,8 @@ use crate::cli::global::given;
 use crate::cli::port;
 use crate::commands::run::Loaded;
 use crate::diagnostic::Severity;
-use crate::engine::check;
 use crate::engine::config::ConfigArgs;
+use crate::engine::{check, scripted, set_from_scripts};
 use crate::project::{Composed, add_stand_ins};
 use crate::report::{Format, Reporter};
 use crate::text::path::slashed;
@@ -83,6 +83,13 @@ pub fn read(
     let opened = port::draft(path, from, channels);
     let (draft, composed) = opened.map_err(Undrawable::Words)?;
     let (mut project, mut read) = (draft.project, draft.read);
+    if path.is_file() {
+        let text = port::read_text(path).map_err(Undrawable::Words)?;
+        let options = configs(ConfigArgs::default()).options(path);
+        let options = options.map_err(|e| Undrawable::Words(e.to_string()))?;
+        let values = scripted(&name, &text, &options, &Disk::new());
+        set_from_scripts(&mut project, &values);
+    }
     let put = port::put_channels(&mut project, &draft.orders);
     let (files, remarks) = put.map_err(Undrawable::Words)?;
     read.extend(files);

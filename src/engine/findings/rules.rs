@@ -31,7 +31,7 @@ pub fn run(shader: &mut ShaderCheck) {
     let is_desktop = part.host.is_some_and(|host| host.runs_desktop());
     let is_obstacle = |d: &&Diagnostic| !(is_desktop && d.is(error::NOT_CONSTANT));
     let errors: Vec<Diagnostic> = errors.filter(is_obstacle).cloned().collect();
-    let supply = Supply::of(program, host);
+    let supply = Supply::of(program, host, shader.hosts);
     let around = ShaderContext {
         embedder: part.embedder,
         mipmapped: part.mipmapped,

@@ -2,6 +2,7 @@
 //! surrounding script, and by the packages of its project.
 
 use crate::check_context::CheckContext;
+use crate::scripted::{ScriptedValue, scripted};
 use crate::shader::reading::Readings;
 use rustc_hash::{FxHashMap, FxHashSet};
 use shaderlint_detect::embed::{
@@ -225,6 +226,12 @@ impl<'a> Hosts<'a> {
                 .map(|(path, text)| (path.as_path(), &**text))
                 .collect(),
         }
+    }
+
+    /// The values that the scripts around the texts give their uniforms.
+    pub fn scripted(&self) -> Vec<ScriptedValue> {
+        let text = self.script.as_deref().unwrap_or("");
+        scripted(self.name, text, self.context.options, self.context.files)
     }
 
     /// What the scripts around the texts ask WebGL for. They are read only for shaders that an extension

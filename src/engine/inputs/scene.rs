@@ -3,6 +3,7 @@
 
 use super::moment::Moment;
 use super::varyings::Varyings;
+use shaderlint_contract::InputValue;
 use shaderlint_exec::{Bytecode, CompileOptions, Draw, Refusal, UniformSlot, compile};
 use shaderlint_host::{Feed, Preset};
 use shaderlint_ir::Module;
@@ -153,6 +154,16 @@ impl GivenUniforms {
             varyings: Varyings::of(&bound.varyings),
             bound,
             fixed: Vec::new(),
+        }
+    }
+
+    /// Gives a uniform whose meaning is not known a value for all frames.
+    pub(crate) fn fix(&mut self, name: &str, value: InputValue) {
+        let mut known = self.bound.controls.iter().map(|c| &c.name);
+        let is_open =
+            known.any(|known| known == name) || self.bound.zeros.iter().any(|z| z == name);
+        if let (true, InputValue::Numbers(numbers)) = (is_open, value) {
+            self.fixed.push((name.to_string(), numbers));
         }
     }
 

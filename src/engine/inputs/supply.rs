@@ -3,6 +3,7 @@
 use super::moment::{Button, Moment, Mouse};
 use super::player::{player_draw, player_gives};
 use super::scene::GivenUniforms;
+use crate::hosts::host::Hosts;
 use rustc_hash::FxHashSet;
 use shaderlint_exec::{Bytecode, Draw};
 use shaderlint_host::{Feed, Preset};
@@ -14,6 +15,8 @@ use std::cell::OnceCell;
 /// The inputs of a checked shader, determined on demand.
 pub(crate) struct Supply<'p> {
     program: &'p Program,
+    /// The scripts around the shader.
+    hosts: &'p Hosts<'p>,
     /// The host that the user names.
     host: Option<&'static Preset>,
     given: OnceCell<GivenUniforms>,
@@ -22,9 +25,14 @@ pub(crate) struct Supply<'p> {
 }
 
 impl<'p> Supply<'p> {
-    pub fn of(program: &'p Program, host: Option<&'static Preset>) -> Supply<'p> {
+    pub fn of(
+        program: &'p Program,
+        host: Option<&'static Preset>,
+        hosts: &'p Hosts<'p>,
+    ) -> Supply<'p> {
         Supply {
             program,
+            hosts,
             host,
             given: OnceCell::new(),
             certain_names: OnceCell::new(),
@@ -46,8 +54,15 @@ impl<'p> Supply<'p> {
     }
 
     fn given(&self) -> &GivenUniforms {
-        self.given
-            .get_or_init(|| GivenUniforms::of(bindings(self.program, self.host)))
+        self.given.get_or_init(|| {
+            let mut given = GivenUniforms::of(bindings(self.program, self.host));
+            // A value that changes is one of many; the others stay zero.
+            if !given.bound.controls.is_empty() || !given.bound.zeros.is_empty() {
+                let all = self.hosts.scripted().into_iter().filter(|v| v.is_constant);
+                all.for_each(|value| given.fix(&value.name, value.value));
+            }
+            given
+        })
     }
 }
 
