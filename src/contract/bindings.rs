@@ -2,7 +2,7 @@
 
 use crate::breach::base;
 use crate::interface::Stages;
-use crate::webgl::is_size;
+use crate::shape::frame_size;
 use shaderlint_script::{ObjectKind, ScriptPlace, ScriptValue, Source, World};
 use std::fmt;
 
@@ -18,8 +18,8 @@ pub struct ProgramBindings {
     pub inputs: Vec<BoundInput>,
     /// The names by which scripts refer to its inputs, also to those that no shader declares.
     pub mentions: Vec<(String, ScriptPlace)>,
-    /// Where scripts compute a name.
-    pub computed: Vec<ScriptPlace>,
+    /// Where scripts compute a name, with the name if it is known.
+    pub computed: Vec<(Option<String>, ScriptPlace)>,
 }
 
 /// A uniform or attribute of a program.
@@ -61,16 +61,14 @@ pub enum InputValue {
 
 impl fmt::Display for InputValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        /// Maximum number of numbers that are listed.
-        const MOST: usize = 16;
         match self {
-            InputValue::Numbers(numbers) => {
-                let shown = numbers.iter().take(MOST).map(|n| format!("{}", *n as f32));
-                let shown = shown.collect::<Vec<_>>().join(", ");
-                let more = if numbers.len() > MOST { ", …" } else { "" };
-                match numbers.len() {
-                    1 => f.write_str(&shown),
-                    _ => write!(f, "({shown}{more})"),
+            InputValue::Numbers(all) => {
+                let shown = all.iter().take(16).map(|n| (*n as f32).to_string());
+                let shown: Vec<String> = shown.collect();
+                let more = if all.len() > 16 { ", …" } else { "" };
+                match shown.as_slice() {
+                    [one] => f.write_str(one),
+                    _ => write!(f, "({}{more})", shown.join(", ")),
                 }
             }
             InputValue::FrameSize => f.write_str("the size of the frame"),
@@ -86,8 +84,7 @@ impl ProgramBindings {
         let uniforms = stages.all().flat_map(|s| &s.uniforms).map(|u| (u, false));
         let attributes = stages.vertex.iter().flat_map(|s| &s.inputs);
         for (input, is_attribute) in uniforms.chain(attributes.map(|a| (a, true))) {
-            let known = inputs.iter_mut().find(|known| known.name == input.name);
-            match known {
+            match inputs.iter_mut().find(|known| known.name == input.name) {
                 Some(known) => known.declared.extend(input.place),
                 None => inputs.push(BoundInput {
                     name: input.name.clone(),
@@ -107,62 +104,45 @@ impl ProgramBindings {
 
     /// Adds a place that names an input, or a part of it: `lights[0].color`.
     pub fn mention(&mut self, world: &World, name: &str, place: ScriptPlace) {
-        match world.named(place, base(name)) {
-            Some(place) => self.mentions.push((base(name).to_string(), place)),
-            None => self.computed.push(place),
+        let name = base(name).to_string();
+        match world.named(place, &name) {
+            Some(place) => self.mentions.push((name, place)),
+            None => self.computed.push((Some(name), place)),
         }
     }
 
     /// Adds a place that sets an input. A place that is evaluated again with another value has no known one.
     pub fn set(&mut self, name: &str, setting: InputSetting) {
-        let input = self
-            .inputs
-            .iter_mut()
-            .find(|input| input.name == base(name));
-        let Some(input) = input else { return };
-        let known = input.settings.iter_mut().find(|s| s.place == setting.place);
-        match known {
+        let mut all = self.inputs.iter_mut();
+        let Some(input) = all.find(|input| input.name == base(name)) else {
+            return;
+        };
+        match input.settings.iter_mut().find(|s| s.place == setting.place) {
             Some(known) if known.value != setting.value => known.value = None,
             Some(_) => {}
             None => input.settings.push(setting),
         }
     }
 
-    /// Sorts the places, each once.
-    pub fn finish(mut self) -> ProgramBindings {
-        self.mentions.sort();
-        self.mentions.dedup();
-        self
-    }
-
     /// The input of a name.
     pub fn input(&self, name: &str) -> Option<&BoundInput> {
         self.inputs.iter().find(|input| input.name == name)
     }
-
-    /// The places that name an input.
-    pub fn mentions_of(&self, name: &str) -> impl Iterator<Item = ScriptPlace> {
-        let all = self.mentions.iter().filter(move |(own, _)| own == name);
-        all.map(|(_, place)| *place)
-    }
 }
 
 impl BoundInput {
-    /// The value that it always has, if nothing changes it.
-    pub fn constant(&self) -> Option<(&InputValue, ScriptPlace)> {
-        let first = self.settings.first().filter(|_| !self.escapes)?;
-        let value = first.value.as_ref()?;
-        let is_same = |other: &InputSetting| other.value.as_ref() == Some(value);
-        self.settings
-            .iter()
-            .all(is_same)
-            .then_some((value, first.place))
+    /// The first value, or the time if that is set, and where it is set.
+    pub fn value(&self) -> Option<(&InputValue, ScriptPlace)> {
+        let mut all = self.settings.iter();
+        let time = all.find(|s| s.value == Some(InputValue::Time));
+        let first = time.or(self.settings.first())?;
+        Some((first.value.as_ref()?, first.place))
     }
 
-    /// The value that it has first.
-    pub fn initial(&self) -> Option<(&InputValue, ScriptPlace)> {
-        let first = self.settings.first()?;
-        Some((first.value.as_ref()?, first.place))
+    /// Whether nothing changes its value.
+    pub fn is_constant(&self) -> bool {
+        let is_same = |s: &InputSetting| s.value.as_ref() == self.value().map(|(value, _)| value);
+        !self.escapes && self.settings.iter().all(is_same)
     }
 }
 
@@ -171,7 +151,9 @@ pub fn value_of_all<'v>(
     world: &World,
     all: impl Iterator<Item = &'v ScriptValue> + Clone,
 ) -> Option<InputValue> {
-    let sizes = all.clone().map(|value| is_size(world, value));
+    let sizes = all
+        .clone()
+        .map(|value| frame_size(world, value).map(|(is_width, _)| is_width));
     if sizes.eq([Some(true), Some(false)]) {
         return Some(InputValue::FrameSize);
     }
@@ -187,11 +169,10 @@ pub fn value_of_all<'v>(
 
 /// A value, if it is known. `release` is the one of three.js.
 pub fn value_of(world: &World, value: &ScriptValue, release: Option<u32>) -> Option<InputValue> {
+    let numbers = |all: Vec<f64>| Some(InputValue::Numbers(all));
     match value {
-        ScriptValue::Number(number) => return Some(InputValue::Numbers(vec![*number])),
-        ScriptValue::Bool(flag) => {
-            return Some(InputValue::Numbers(vec![f64::from(u8::from(*flag))]));
-        }
+        ScriptValue::Number(number) => return numbers(vec![*number]),
+        ScriptValue::Bool(flag) => return numbers(vec![f64::from(u8::from(*flag))]),
         value if is_clock(world, value) => return Some(InputValue::Time),
         _ => {}
     }
@@ -199,65 +180,51 @@ pub fn value_of(world: &World, value: &ScriptValue, release: Option<u32>) -> Opt
         return value_of_all(world, elements.iter()).filter(|_| !elements.is_empty());
     }
     let call = world.call_of(value.object()?).filter(|call| call.is_new)?;
-    let arguments = || call.arguments.iter().map(|(value, _)| value);
-    let name = &*call.name;
-    let size = name.chars().last().and_then(|c| c.to_digit(10));
-    match arguments().next() {
-        Some(ScriptValue::Text(text)) if name == "Color" => {
-            let digits = text.content.strip_prefix('#')?;
-            let color = u32::from_str_radix(digits, 16)
-                .ok()
-                .filter(|_| digits.len() == 6);
-            Some(color_of(color?, release))
+    let name = call.name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let size = call.name.get(name.len()..)?.parse::<usize>().unwrap_or(3);
+    let arguments = call.arguments.iter().map(|(value, _)| value);
+    match (name, arguments.clone().next(), call.arguments.len()) {
+        ("Color", Some(ScriptValue::Number(color)), 1) => numbers(color_of(*color as u32, release)),
+        ("Color", Some(ScriptValue::Text(text)), _) => {
+            let digits = text.content.strip_prefix('#').filter(|d| d.len() == 6)?;
+            let color = u32::from_str_radix(digits, 16).ok()?;
+            numbers(color_of(color, release))
         }
-        Some(ScriptValue::Number(color)) if name == "Color" && call.arguments.len() == 1 => {
-            Some(color_of(*color as u32, release))
+        (name, Some(ScriptValue::Number(count)), 1) if name.ends_with("Array") => {
+            numbers(vec![0.0; (*count as usize).min(4096)])
         }
-        // A number of zeros.
-        Some(ScriptValue::Number(count)) if name.ends_with("Array") => {
-            let count = (*count as usize).min(4096);
-            Some(InputValue::Numbers(vec![0.0; count]))
-        }
-        Some(_) if size.is_some() || name.ends_with("Array") || name.starts_with("Color") => {
-            let found = value_of_all(world, arguments())?;
-            let is_whole = match (&found, size) {
-                (InputValue::Numbers(all), Some(size)) if !name.ends_with("Array") => {
-                    all.len() == size as usize || name.starts_with("Mat") && all.len() > 3
-                }
-                _ => true,
-            };
-            is_whole.then_some(found)
-        }
-        None if name.starts_with("Vec") => {
-            let mut zeros = vec![0.0; size? as usize];
-            // The fourth component of a vector of three.js is 1.
-            if let (Some(last), "Vector4") = (zeros.get_mut(3), name) {
-                *last = 1.0;
+        (name, Some(_), _) if name.ends_with("Array") => value_of_all(world, arguments),
+        ("Vector" | "Vec" | "Color" | "Matrix" | "Mat", Some(_), _) => {
+            let found = value_of_all(world, arguments)?;
+            let is_whole = |all: &Vec<f64>| all.len() == size || all.len() == size * size;
+            match &found {
+                InputValue::Numbers(all) => is_whole(all).then_some(found),
+                _ => Some(found),
             }
-            Some(InputValue::Numbers(zeros))
         }
-        None if name.starts_with("Mat") => {
-            let size = size? as usize;
-            let is_one = |at: usize| at.is_multiple_of(size + 1);
-            let all = (0..size * size).map(|at| f64::from(u8::from(is_one(at))));
-            Some(InputValue::Numbers(all.collect()))
+        // The fourth component of a vector of three.js is 1.
+        ("Vector", None, _) => {
+            let all = (0..size).map(|at| f64::from(u8::from(at == 3)));
+            numbers(all.collect())
         }
+        ("Matrix" | "Mat", None, _) => {
+            let all = (0..size * size).map(|at| f64::from(u8::from(at % (size + 1) == 0)));
+            numbers(all.collect())
+        }
+        ("Vec", None, _) => numbers(vec![0.0; size]),
         _ => None,
     }
 }
 
 /// The components of a colour that is written as one number.
-fn color_of(color: u32, release: Option<u32>) -> InputValue {
-    let linear = |c: f64| match c {
+fn color_of(color: u32, release: Option<u32>) -> Vec<f64> {
+    let is_linear = release.is_none_or(|release| release >= LINEAR_COLORS);
+    let part = |shift: u32| match f64::from((color >> shift) & 255) / 255.0 {
+        c if !is_linear => c,
         c if c < 0.04045 => c / 12.92,
         c => ((c + 0.055) / 1.055).powf(2.4),
     };
-    let is_linear = release.is_none_or(|release| release >= LINEAR_COLORS);
-    let part = |shift: u32| {
-        let c = f64::from((color >> shift) & 255) / 255.0;
-        if is_linear { linear(c) } else { c }
-    };
-    InputValue::Numbers(vec![part(16), part(8), part(0)])
+    vec![part(16), part(8), part(0)]
 }
 
 /// Whether a value is read from a clock.
@@ -275,8 +242,11 @@ fn is_clock(world: &World, value: &ScriptValue) -> bool {
 
 /// Whether a statement adds to what is named at a place.
 pub fn is_increment(world: &World, place: ScriptPlace) -> bool {
-    let file = world.files.get(place.file);
-    let after = file.and_then(|(_, text)| text.get(place.end as usize..));
-    let after = after.unwrap_or("").trim_start();
+    let rest = ScriptPlace {
+        start: place.end,
+        end: place.end + 3,
+        ..place
+    };
+    let after = world.code(rest).unwrap_or("").trim_start();
     after.starts_with("+=") || after.starts_with("++")
 }

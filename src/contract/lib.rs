@@ -23,7 +23,8 @@ pub use bindings::{BoundInput, InputSetting, InputValue, ProgramBindings};
 pub use breach::Breach;
 pub use library::{is_given_to_patches, is_library, may_make_programs};
 pub use patches::NEWEST;
-use shaderlint_script::{Loader, World, evaluate};
+use shaderlint_script::{Loader, ScriptPlace, World, evaluate};
+use shaderlint_text::LineIndex;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -36,6 +37,15 @@ pub struct Contract {
     pub breaches: Vec<Breach>,
     /// The programs, with the places that name and set their inputs.
     pub bindings: Vec<ProgramBindings>,
+}
+
+impl Contract {
+    /// File and line of a place: `main.js:12`.
+    pub fn line(&self, place: ScriptPlace) -> Option<String> {
+        let (path, text) = self.files.get(place.file)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        Some(format!("{name}:{}", LineIndex::new(text).line(place.start)))
+    }
 }
 
 /// Checks the program that starts with a script. `release` is the one of three.js that it uses, if that is known;
@@ -63,6 +73,10 @@ fn read(world: &World, release: Option<u32>) -> Contract {
         breaches.retain(|b| b.rule != "unset-uniform" && b.rule != "attribute-data");
         let inputs = bindings.iter_mut().flat_map(|program| &mut program.inputs);
         inputs.for_each(|input| input.escapes = true);
+    }
+    for program in &mut bindings {
+        program.mentions.sort();
+        program.mentions.dedup();
     }
     breaches.sort_by(|a, b| (a.place, a.rule, &a.message).cmp(&(b.place, b.rule, &b.message)));
     breaches.dedup_by(|a, b| a.place == b.place && a.rule == b.rule);

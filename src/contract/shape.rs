@@ -163,3 +163,30 @@ pub fn length(world: &World, value: Option<&ScriptValue>) -> Option<usize> {
         value => world.elements(value).map(<[ScriptValue]>::len),
     }
 }
+
+/// Whether a value is the width of the frame, or its height, and whether it counts CSS pixels.
+pub fn frame_size(world: &World, value: &ScriptValue) -> Option<(bool, bool)> {
+    let (of, name) = match &world.object(value.object()?)?.kind {
+        ObjectKind::Foreign(Source::Member(of, name)) => (Some(*of), name),
+        ObjectKind::Foreign(Source::Global(name)) => (None, name),
+        _ => return None,
+    };
+    let stem = name.strip_suffix("idth").or(name.strip_suffix("eight"))?;
+    let is_css = ["inner", "client", "offset"]
+        .iter()
+        .any(|part| stem.starts_with(part));
+    let is_canvas = |of| {
+        let holder = world.member_of(of).map(|(_, name)| name);
+        let call = world.call_of(of).map(|call| &*call.name);
+        matches!(holder, Some("canvas" | "domElement"))
+            || matches!(
+                call,
+                Some("getElementById" | "querySelector" | "createElement")
+            )
+    };
+    let is_own = match stem {
+        "w" | "h" => of.is_some_and(is_canvas),
+        _ => is_css || stem.starts_with("drawingBuffer"),
+    };
+    is_own.then_some((name.ends_with("idth"), is_css))
+}

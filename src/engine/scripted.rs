@@ -6,9 +6,7 @@ use shaderlint_contract::{BoundInput, Contract, InputValue};
 use shaderlint_host::Feed;
 use shaderlint_project::{Files, Project};
 use shaderlint_script::ScriptPlace;
-use shaderlint_text::LineIndex;
 use shaderlint_text::path::plain;
-use std::path::Path;
 
 /// A uniform and the value that scripts give it.
 #[derive(Clone, PartialEq, Debug)]
@@ -57,23 +55,12 @@ pub fn scripted(
 }
 
 fn scripted_value(contract: &Contract, input: &BoundInput) -> Option<ScriptedValue> {
-    let is_time = input
-        .settings
-        .iter()
-        .find(|s| s.value == Some(InputValue::Time));
-    let (value, place) = match is_time {
-        Some(setting) => (InputValue::Time, setting.place),
-        None => input
-            .initial()
-            .map(|(value, place)| (value.clone(), place))?,
-    };
-    let (path, text) = contract.files.get(place.file)?;
-    let line = LineIndex::new(text).line(place.start);
+    let (value, place) = input.value()?;
     Some(ScriptedValue {
         name: input.name.clone(),
-        is_constant: input.constant().is_some(),
-        value,
-        place: format!("{}:{line}", Path::new(path.file_name()?).display()),
+        is_constant: input.is_constant(),
+        value: value.clone(),
+        place: contract.line(place)?,
     })
 }
 
@@ -81,55 +68,39 @@ fn scripted_value(contract: &Contract, input: &BoundInput) -> Option<ScriptedVal
 /// stays as it is.
 pub fn set_from_scripts(project: &mut Project, values: &[ScriptedValue]) {
     let mut set = Vec::new();
-    for ScriptedValue {
-        name, value, place, ..
-    } in values
-    {
-        let at = project.controls.iter().position(|c| c.name == *name);
-        let Some(at) = at.filter(|at| *at >= project.described) else {
+    for scripted in values {
+        let (name, value) = (&scripted.name, &scripted.value);
+        let mut all = project.controls.iter().skip(project.described);
+        let Some(at) = all.position(|c| c.name == *name) else {
             continue;
         };
-        let mut control = project.controls.remove(at);
-        let feed = match value {
-            InputValue::Time => Some(Feed::Time),
-            InputValue::FrameSize => Some(Feed::Resolution),
-            InputValue::Numbers(_) => None,
-        };
-        match (value, feed) {
-            (_, Some(feed)) if control.value.len() == feed_size(feed) => {
-                for pass in &mut project.passes {
-                    let bound = &mut pass.bound;
-                    bound.controls.retain(|c| c.name != *name);
-                    let own = bound.uniforms.iter_mut().filter(|u| u.name == *name);
-                    own.for_each(|uniform| uniform.source = feed);
-                }
-            }
-            (InputValue::Numbers(numbers), _) if numbers.len() == control.value.len() => {
-                for ((low, high), number) in
-                    control.min.iter_mut().zip(&mut control.max).zip(numbers)
-                {
-                    (*low, *high) = (low.min(*number), high.max(*number));
-                }
+        let mut control = project.controls.remove(at + project.described);
+        let feed = match (value, control.value.len()) {
+            (InputValue::Time, 1) => Some(Feed::Time),
+            (InputValue::FrameSize, 2) => Some(Feed::Resolution),
+            (InputValue::Numbers(numbers), count) if numbers.len() == count => {
+                let ends = control.min.iter_mut().zip(&mut control.max).zip(numbers);
+                ends.for_each(|((low, high), n)| (*low, *high) = (low.min(*n), high.max(*n)));
                 control.value.clone_from(numbers);
                 project.controls.insert(project.described, control);
                 project.described += 1;
+                None
             }
             _ => {
-                project.controls.insert(at, control);
+                project.controls.push(control);
                 continue;
             }
+        };
+        for bound in project.passes.iter_mut().map(|pass| &mut pass.bound) {
+            bound.controls.retain(|c| feed.is_none() || c.name != *name);
+            let own = bound.uniforms.iter_mut().filter(|u| u.name == *name);
+            own.for_each(|uniform| uniform.source = feed.unwrap_or(uniform.source));
         }
-        set.push(format!("`{name}` = {value} ({place})"));
+        set.push(format!("`{name}` = {value} ({})", scripted.place));
     }
     if !set.is_empty() {
         let set = set.join(", ");
-        project.notes.push(format!(
-            "scripts give these uniforms their first values: {set}"
-        ));
+        let note = format!("scripts give these uniforms their first values: {set}");
+        project.notes.push(note);
     }
-}
-
-/// Number of components of a value.
-fn feed_size(feed: Feed) -> usize {
-    if feed == Feed::Resolution { 2 } else { 1 }
 }

@@ -2,8 +2,6 @@
 
 use super::index::{Index, Occurrence};
 use super::symbol::{Symbol, declared_at};
-use shaderlint_detect::embed::DocumentLanguage;
-use shaderlint_detect::kind::file_extension;
 use shaderlint_engine::{Analysis, Options, Report, analyze, program_name};
 use shaderlint_lint::Settings;
 use shaderlint_project::{FileType, Files, LoadError};
@@ -85,11 +83,6 @@ impl Document {
             ..Options::clone(&self.options)
         };
         Document::new(&self.path, text.into(), Arc::new(options), files)
-    }
-
-    /// Whether it contains scripts.
-    pub(super) fn is_script(&self) -> bool {
-        DocumentLanguage::of_extension(&file_extension(&self.path)).is_some()
     }
 
     /// The shader at an offset.

@@ -105,32 +105,24 @@ fn of_name(spot: &Spot, facts: &Facts, name: Occurrence) -> String {
     text
 }
 
-/// Where a member of a uniform block is in its buffer, or the size of a block.
+/// Where a member of a uniform block is in its buffer.
 fn layout(program: &Program, symbol: Symbol) -> Option<String> {
     let own = symbol.name(program);
     let interface = Interface::of(program);
     interface.blocks.iter().find_map(|block| {
-        let record = u32::from(block.record);
-        let name = program.names.text(block.name);
+        let fields = &program.structs.get(usize::from(block.record))?.fields;
         let has = |field: &Field| program.names.text(field.name) == own;
         let is_member = match symbol {
-            Symbol::Struct(id) if id == record => {
-                let size = BlockLayout::of(&interface, block)?.size;
-                return Some(format!("\nsize {size} (`std140`)\n"));
-            }
-            Symbol::Field(id, _) => id == record,
+            Symbol::Field(id, _) => id == u32::from(block.record),
             Symbol::Variable(id) => {
                 let is_uniform = program.variable(id)?.storage == Storage::Uniform;
-                let fields = &program.structs.get(usize::from(block.record))?.fields;
                 is_uniform && block.instance.is_none() && fields.iter().any(has)
             }
             _ => false,
         };
         let layout = BlockLayout::of(&interface, block).filter(|_| is_member)?;
-        let path = match block.instance {
-            Some(_) => format!("{name}.{own}"),
-            None => own.to_string(),
-        };
+        let name = program.names.text(block.name);
+        let path = block.instance.map_or(String::new(), |_| format!("{name}.")) + own;
         let is_part = |m: &&BlockMember| {
             let rest = m.name.strip_prefix(&path);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['[', '.']))
@@ -139,14 +131,8 @@ fn layout(program: &Program, symbol: Symbol) -> Option<String> {
         let first = parts.next()?;
         let last = parts.next_back().unwrap_or(first);
         let (start, size) = (first.offset, last.offset + last.size - first.offset);
-        let stride = match first.stride {
-            stride if stride > 0 && first.name == format!("{path}[0]") => {
-                format!(", {stride} from an element to the next")
-            }
-            _ => String::new(),
-        };
         Some(format!(
-            "\noffset {start}, size {size}{stride} (`std140`, in bytes of `{name}`)\n"
+            "\noffset {start}, size {size} (`std140`, in bytes of `{name}`)\n"
         ))
     })
 }

@@ -280,10 +280,15 @@ impl<'a> World<'a> {
         })
     }
 
+    /// The code at a place.
+    pub fn code(&self, place: ScriptPlace) -> Option<&str> {
+        let (_, text) = self.files.get(place.file)?;
+        text.get(place.start as usize..place.end as usize)
+    }
+
     /// The place of a name in the code at a place, such as that of a string; `None` if it is not written there.
     pub fn named(&self, place: ScriptPlace, name: &str) -> Option<ScriptPlace> {
-        let (_, text) = self.files.get(place.file)?;
-        let code = text.get(place.start as usize..place.end as usize)?;
+        let code = self.code(place)?;
         let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
         let mut words = code.split(|c| !is_part(c)).filter(|word| *word == name);
         let start = words.next()?.as_ptr() as usize - code.as_ptr() as usize;

@@ -1,6 +1,6 @@
 //! Inputs of shaders in the scripts that set them: a position is marked with `|`.
 
-use shaderlint::engine::Options;
+use shaderlint::engine::{Options, scripted};
 use shaderlint::ide::*;
 use shaderlint::text::apply_edits;
 use std::collections::BTreeMap;
@@ -96,12 +96,13 @@ fn check_hover(texts: &Texts, path: &str, around: &str, expected: &[&str]) {
 fn check_definition(texts: &Texts, path: &str, around: &str, expected: &[(&str, &str)]) {
     let document = opened(texts, path);
     let at = offset(&document.text, around);
-    let found = bound_at(&document, at, texts).declared();
+    let bound = bound_at(&document, at, texts);
+    let found = bound.declared().into_iter();
     let places = expected.iter().map(|(path, around)| {
         let start = offset(&texts[&PathBuf::from(path)], around);
         (path.to_string(), start)
     });
-    let found: Vec<_> = found.into_iter().map(|p| (p.path, p.span.start)).collect();
+    let found: Vec<_> = found.map(|p| (p.path.clone(), p.span.start)).collect();
     assert_eq!(found, places.collect::<Vec<_>>(), "{around}");
 }
 
@@ -278,13 +279,51 @@ void main() { color = vec4(lamp.at * lamp.power + near * turn[0], lamp.steps[1].
         "lamp.po|wer",
         &["offset 12, size 4 (`std140`, in bytes of `Lamp`)"],
     );
-    check_hover(
-        &texts,
-        "/a.frag",
-        "ste|ps[3]",
-        &["offset 16, size 40, 16 from an element to the next"],
-    );
+    check_hover(&texts, "/a.frag", "ste|ps[3]", &["offset 16, size 40"]);
     check_hover(&texts, "/a.frag", "+ ne|ar", &["offset 0, size 4"]);
     check_hover(&texts, "/a.frag", "tu|rn[0]", &["offset 16, size 48"]);
-    check_hover(&texts, "/a.frag", "uniform La|mp", &["size 64 (`std140`)"]);
+}
+
+/// The values that scripts give the uniforms of a file; constants with a star.
+#[track_caller]
+fn check_values(texts: &Texts, path: &str, expected: &[&str]) {
+    let text = &texts[&PathBuf::from(path)];
+    let found = scripted(path, text, &Options::default(), texts);
+    let shown = found.iter().map(|value| {
+        let star = if value.is_constant { "*" } else { "" };
+        format!("{star}{} {} {}", value.name, value.value, value.place)
+    });
+    assert_eq!(shown.collect::<Vec<_>>(), expected, "{path}");
+}
+
+#[test]
+fn scripts_give_uniforms_their_values() {
+    let mut texts = three();
+    let values = [
+        "uTime the time main.js:19",
+        "*uColor (1, 0.5, 0) main.js:9",
+        "*uSize the size of the frame main.js:10",
+    ];
+    check_values(&texts, "/sea.frag", &values);
+    check_values(&texts, "/sea.vert", &values[..1]);
+    // What a panel gets may change; a colour that is one number is linear.
+    let script = SCRIPT.replace("1, 0.5, 0", "0xff0080").replace(
+        "const clock",
+        "gui.add(material.uniforms.uColor, 'value').name('uColor');\nconst clock",
+    );
+    texts.insert("/main.js".into(), script.into());
+    let values = [
+        "uTime the time main.js:20",
+        "uColor (1, 0, 0.2158605) main.js:9",
+        "*uSize the size of the frame main.js:10",
+    ];
+    check_values(&texts, "/sea.frag", &values);
+    let raw = [("/raw.js", RAW)]
+        .map(|(path, text)| (path.into(), text.into()))
+        .into();
+    let values = [
+        "*size the size of the frame raw.js:19",
+        "*power 2.5 raw.js:18",
+    ];
+    check_values(&raw, "/raw.js", &values);
 }

@@ -108,6 +108,27 @@ fn invalid_uniforms_are_reported_with_their_position() {
 }
 
 #[test]
+fn uniforms_have_the_values_of_scripts() {
+    let script = "import fragmentShader from './a.frag';
+import { ShaderMaterial, Matrix2, Vector2 } from 'three';
+const uniforms = { gain: { value: 0.5 }, u_resolution: { value: new Vector2() }, turn: { value: 1 } };
+new ShaderMaterial({ fragmentShader, uniforms });
+";
+    let text = RAMP.replace("gain * turned.y", "gain");
+    let scratch = Scratch::new(&[("a.frag", &text), ("main.js", script)]);
+    let args = ["run", "a.frag", "--size", "2x2", "--force", "-o", "a.png"];
+    let ran = scratch.run(&args);
+    let note = "scripts give these uniforms their first values: `gain` = 0.5 (main.js:3)";
+    assert!(ran.err.contains(note), "{}", ran.err);
+    assert_eq!(pixels(&scratch, "a.png").2[0], [64, 191, 128]);
+    let ran = scratch.run(&[&args[..], &["--format", "json"]].concat());
+    assert!(ran.out.contains(note), "{}", ran.out);
+    scratch.write("u.json", "{\"gain\": 1}");
+    scratch.run(&[&args[..], &["--uniforms", "u.json"]].concat());
+    assert_eq!(pixels(&scratch, "a.png").2[0], [64, 191, 255]);
+}
+
+#[test]
 fn unset_uniforms_are_reported() {
     let scratch = Scratch::new(&[("a.frag", RAMP)]);
     let ran = scratch.run(&["run", "a.frag", "--size", "2x2"]);

@@ -20,28 +20,21 @@ impl Material<'_> {
             found.set(&key.name, InputSetting { place, value });
         }
         for (id, place) in &world.reads {
-            let (_, text) = match world.files.get(place.file) {
-                Some(file) if self.holds_uniforms(world, *id) => file,
-                _ => continue,
-            };
-            let name = text.get(place.start as usize..place.end as usize);
-            found.mention(world, name.unwrap_or(""), *place);
+            if self.holds_uniforms(world, *id) {
+                found.mention(world, world.code(*place).unwrap_or(""), *place);
+            }
         }
         for event in &world.events {
             match &event.kind {
                 EventKind::Write { object, key, value } => {
-                    self.bind_write(
-                        world,
-                        (*object, key.as_deref(), value),
-                        event.place,
-                        &mut found,
-                    );
+                    let written = (*object, key.as_deref(), value);
+                    self.bind_write(world, written, event.place, &mut found);
                 }
                 EventKind::Call(call) => self.bind_call(world, call, event, &mut found),
                 EventKind::Missing { .. } => {}
             }
         }
-        found.finish()
+        found
     }
 
     /// Whether the members of an object are the uniforms.
@@ -56,28 +49,23 @@ impl Material<'_> {
         place: ScriptPlace,
         found: &mut ProgramBindings,
     ) {
-        if let Some(name) = self.name_of(world, object) {
-            let value = match is_increment(world, place) {
-                true => Some(InputValue::Time),
-                false => value_of(world, value, None),
+        let owner = self.owner_of(world, object);
+        if let Some(name) = self.name_of(world, object).or(owner) {
+            let value = match key {
+                _ if is_increment(world, place) => Some(InputValue::Time),
+                Some("value") => value_of(world, value, None),
+                // `vector.x = 1`
+                _ => None,
             };
-            return found.set(&name, InputSetting { place, value });
-        }
-        if self.holds_uniforms(world, object) {
-            match key {
-                Some(key) => {
-                    found.mention(world, key, place);
-                    let value = world.get(value, "value").unwrap_or(value);
-                    let value = value_of(world, value, None);
-                    found.set(key, InputSetting { place, value });
-                }
-                None => found.computed.push(place),
-            }
-            return;
-        }
-        // `vector.x = 1`
-        if let Some(name) = self.owner_of(world, object) {
-            found.set(&name, InputSetting { place, value: None });
+            found.set(&name, InputSetting { place, value });
+        } else if self.holds_uniforms(world, object) {
+            let Some(key) = key else {
+                return found.computed.push((None, place));
+            };
+            found.mention(world, key, place);
+            let value = world.get(value, "value").unwrap_or(value);
+            let value = value_of(world, value, None);
+            found.set(key, InputSetting { place, value });
         }
     }
 
@@ -91,9 +79,8 @@ impl Material<'_> {
         if call.result == self.call.result {
             return;
         }
-        let owner = call.this.and_then(|id| self.owner_of(world, id));
-        if let Some(name) = owner {
-            let place = event.place;
+        let place = event.place;
+        if let Some(name) = call.this.and_then(|id| self.owner_of(world, id)) {
             let all = call.arguments.iter().map(|(value, _)| value);
             let is_set = &*call.name == "set" && call.arguments.len() > 1;
             let value = is_set.then(|| value_of_all(world, all)).flatten();
@@ -104,7 +91,7 @@ impl Material<'_> {
         if let Some((name, place)) = call.arguments.first().filter(|_| is_own && is_setter) {
             match name.text() {
                 Some(name) => found.mention(world, name, *place),
-                None if name.object().is_none() => found.computed.push(*place),
+                None if name.object().is_none() => found.computed.push((None, *place)),
                 None => {}
             }
         }

@@ -3,44 +3,43 @@
 use super::replay::{GlReplay, argument};
 use super::setters::Setter;
 use crate::bindings::{InputSetting, ProgramBindings, value_of_all};
-use shaderlint_script::{EventKind, ObjectId, ScriptValue};
+use shaderlint_script::{EventKind, ObjectId};
 use std::collections::BTreeMap;
 
 impl GlReplay<'_> {
     /// The inputs of the programs with the places that name and set them.
-    pub fn bind(&self) -> impl Iterator<Item = ProgramBindings> {
+    pub fn bind(&self) -> BTreeMap<ObjectId, ProgramBindings> {
         let world = self.world;
         let programs = self.programs.iter();
         let new = programs.map(|(id, p)| (*id, ProgramBindings::new(p.place, &p.stages)));
         let mut all: BTreeMap<ObjectId, ProgramBindings> = new.collect();
         for location in self.locations.values() {
-            let Some(found) = all.get_mut(&location.program) else {
-                continue;
-            };
-            match &location.name {
-                Some(name) => found.mention(world, name, location.place),
+            match (all.get_mut(&location.program), &location.name) {
+                (Some(found), Some(name)) => found.mention(world, name, location.place),
                 // What WebGL lists is named by the shader.
-                None if location.is_listed => {}
-                None => found.computed.push(location.place),
+                (Some(found), None) if !location.is_listed => {
+                    found.computed.push((None, location.place));
+                }
+                _ => {}
             }
         }
         for (id, program) in &self.programs {
-            let names = program
-                .bound
-                .iter()
-                .filter_map(|(_, name, place)| Some((name.as_ref()?, place)));
-            for (name, place) in names {
-                if let Some(found) = all.get_mut(id) {
+            let Some(found) = all.get_mut(id) else {
+                continue;
+            };
+            for (_, name, place) in &program.bound {
+                if let Some(name) = name {
                     found.mention(world, name, *place);
                 }
             }
+            found
+                .inputs
+                .iter_mut()
+                .for_each(|input| input.escapes = program.is_open);
         }
         for (table, place) in &world.reads {
-            let file = world.files.get(place.file);
-            let name =
-                file.and_then(|(_, text)| text.get(place.start as usize..place.end as usize));
             let program = self.tables.get(table).and_then(|id| all.get_mut(id));
-            if let (Some(name), Some(found)) = (name, program) {
+            if let (Some(name), Some(found)) = (world.code(*place), program) {
                 found.mention(world, name, *place);
             }
         }
@@ -51,22 +50,24 @@ impl GlReplay<'_> {
             let Some(setter) = Setter::named(&call.name) else {
                 continue;
             };
-            let set = self.uniform_location(argument(call, 0));
-            let Some((program, Some(name), _)) = set else {
+            let known = self.uniform_location(argument(call, 0));
+            let Some((program, Some(name), _)) = known else {
+                // It may set any.
+                let is_it = |id: &ObjectId| known.as_ref().is_none_or(|(of, _, _)| of == id);
+                let programs = all.iter_mut().filter(|(id, _)| is_it(id));
+                let inputs = programs.flat_map(|(_, program)| &mut program.inputs);
+                inputs.for_each(|input| input.escapes = true);
                 continue;
             };
-            let values = call.arguments.iter().map(|(value, _)| value);
-            let values: Vec<&ScriptValue> = match setter.columns {
-                1 => values.skip(1).collect(),
-                // After `transpose`.
-                _ => values.skip(2).collect(),
-            };
-            let value = value_of_all(world, values.into_iter());
+            // After the location and `transpose`.
+            let first = if setter.columns > 1 { 2 } else { 1 };
+            let values = call.arguments.iter().skip(first).map(|(value, _)| value);
+            let value = value_of_all(world, values);
             let place = event.place;
             if let Some(found) = all.get_mut(&program) {
                 found.set(&name, InputSetting { place, value });
             }
         }
-        all.into_values().map(ProgramBindings::finish)
+        all
     }
 }

@@ -13,7 +13,7 @@ use crate::link;
 use replay::GlReplay;
 pub use replay::constant;
 use shaderlint_script::World;
-pub use uniforms::{css_size, is_css_size, is_size};
+pub use uniforms::{css_size, is_css_size};
 
 /// Adds what is wrong with the programs that scripts make with WebGL, and their inputs.
 pub fn check(world: &World, found: &mut Vec<Breach>, bindings: &mut Vec<ProgramBindings>) {
@@ -25,9 +25,10 @@ pub fn check(world: &World, found: &mut Vec<Breach>, bindings: &mut Vec<ProgramB
         link::check(&program.stages, program.place, found);
     }
     replay.run();
-    replay.check_unset(found);
+    let bound = replay.bind();
+    replay.check_unset(&bound, found);
     attributes::check(&replay, found);
     blocks::check(&replay, found);
-    bindings.extend(replay.bind());
+    bindings.extend(bound.into_values());
     found.extend(replay.verdicts.0.into_values().flatten());
 }

@@ -2,55 +2,19 @@
 
 use super::replay::{GlLocation, GlProgram, GlReplay, argument, place_of};
 use super::setters::Setter;
+use crate::bindings::ProgramBindings;
 use crate::breach::{Breach, base, nearest};
 use crate::interface::DeclaredInput;
-use crate::shape::ValueShape;
+use crate::shape::{ValueShape, frame_size};
 use shaderlint_script::{
     EventCertainty, EventKind, ForeignCall, ObjectId, ObjectKind, ScriptEvent, ScriptPlace,
     ScriptValue, Source, World,
 };
-
-/// Properties that are a size in CSS pixels.
-const CSS_SIZES: &[&str] = &[
-    "clientWidth",
-    "clientHeight",
-    "innerWidth",
-    "innerHeight",
-    "offsetWidth",
-    "offsetHeight",
-];
+use std::collections::BTreeMap;
 
 /// Whether a value is a size in CSS pixels.
 pub fn is_css_size(world: &World, value: &ScriptValue) -> bool {
-    let object = value.object().and_then(|id| world.object(id));
-    match object.map(|o| &o.kind) {
-        Some(ObjectKind::Foreign(Source::Member(_, name) | Source::Global(name))) => {
-            CSS_SIZES.contains(&&**name)
-        }
-        _ => false,
-    }
-}
-
-/// Whether a value is the width of the frame, or its height; `None` for any other.
-pub fn is_size(world: &World, value: &ScriptValue) -> Option<bool> {
-    let id = value.object()?;
-    let name = match &world.object(id)?.kind {
-        ObjectKind::Foreign(Source::Member(of, name)) if ["width", "height"].contains(&&**name) => {
-            let is_element = |call: &ForeignCall| {
-                let found = ["getElementById", "querySelector", "createElement"];
-                found.contains(&&*call.name)
-            };
-            let holder = world.member_of(*of).map(|(_, name)| name);
-            let is_canvas = matches!(holder, Some("canvas" | "domElement"));
-            (is_canvas || world.call_of(*of).is_some_and(is_element)).then_some(name)?
-        }
-        ObjectKind::Foreign(Source::Member(_, name) | Source::Global(name)) => {
-            let is_own = CSS_SIZES.contains(&&**name) || name.starts_with("drawingBuffer");
-            Some(name).filter(|_| is_own)?
-        }
-        _ => return None,
-    };
-    Some(name.ends_with("idth"))
+    frame_size(world, value).is_some_and(|(_, is_css)| is_css)
 }
 
 /// Whether a program multiplies sizes by the number of device pixels per CSS pixel.
@@ -285,27 +249,11 @@ impl GlReplay<'_> {
     }
 
     /// Reports uniforms that nothing sets.
-    pub fn check_unset(&self, found: &mut Vec<Breach>) {
-        let sets = self
-            .world
-            .events
-            .iter()
-            .filter_map(|event| match &event.kind {
-                EventKind::Call(call) => Some((Setter::named(&call.name)?, call)),
-                _ => None,
-            });
-        let mut is_unknown = false;
-        let mut set: Vec<(ObjectId, String)> = Vec::new();
-        for (_, call) in sets {
-            match self.uniform_location(argument(call, 0)) {
-                Some((program, Some(name), _)) => set.push((program, base(&name).to_string())),
-                Some((program, None, _)) => set.push((program, "*".to_string())),
-                None => is_unknown = true,
-            }
-        }
-        if is_unknown {
-            return;
-        }
+    pub fn check_unset(
+        &self,
+        bindings: &BTreeMap<ObjectId, ProgramBindings>,
+        found: &mut Vec<Breach>,
+    ) {
         // Another module may set what it looks up.
         let looked_up = self
             .locations
@@ -318,8 +266,8 @@ impl GlReplay<'_> {
                 continue;
             }
             let is_set = |name: &str| {
-                set.iter()
-                    .any(|(of, known)| of == id && (known == name || known == "*"))
+                let input = bindings.get(id).and_then(|bound| bound.input(name));
+                input.is_some_and(|input| input.escapes || !input.settings.is_empty())
             };
             for uniform in program.stages.active_uniforms() {
                 if uniform.is_sampler() || is_set(&uniform.name) {

@@ -183,17 +183,14 @@ impl<'t> MentionReader<'t, '_> {
 
     /// Whether people read a string: `{ label: 'speed' }`, `folder.add(speed, 'value').name('speed')`.
     fn is_label(&self, id: ScriptNodeId, receiver: Option<(ScriptNodeId, bool)>) -> bool {
-        let parent = self
-            .tree
-            .node(id)
-            .and_then(|node| self.tree.node(node.parent?));
-        let is_shown = parent.is_some_and(|node| match &node.kind {
-            NodeKind::Property(name) => ["label", "title"].contains(&self.word(name)),
-            _ => false,
-        });
+        let parent = self.tree.node(id).and_then(|node| node.parent);
+        let key = match parent.and_then(|id| self.tree.node(id)).map(|n| &n.kind) {
+            Some(NodeKind::Property(name)) => self.word(name),
+            _ => "",
+        };
         let called = receiver.filter(|(_, is_call)| *is_call);
         let called = called.and_then(|(of, _)| self.tree.last_name(self.text, of));
-        is_shown || called.is_some_and(|name| ["name", "log", "warn"].contains(&name))
+        matches!(key, "label" | "title") || called == Some("name")
     }
 
     /// A string or template with the ranges of its `${...}`.

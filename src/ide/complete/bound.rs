@@ -9,35 +9,23 @@ use shaderlint_project::Files;
 use shaderlint_text::Span;
 use std::sync::Arc;
 
-/// Maximum number of bytes in which the start of an object is searched.
-const MAX_OBJECT: usize = 4_000;
+/// Maximum number of bytes before a position that show whether it is about inputs.
+const MAX_BEFORE: usize = 4_000;
 
 /// Whether inputs may be named after a text: after a dot, in a string, or as a key of an object.
 fn may_be_named(before: &str) -> bool {
-    let from = before.floor_char_boundary(before.len().saturating_sub(MAX_OBJECT));
-    let before = before.get(from..).unwrap_or("");
-    let is_about = |text: &str| text.contains("niform") || text.contains("ttrib");
-    let line = before.rsplit('\n').next().unwrap_or("");
-    let last = before.trim_end();
-    match last.chars().next_back() {
-        Some('.') => is_about(line),
-        Some('"' | '\'' | '`') => is_about(line) || line.contains("set"),
-        Some('{' | ',' | '}') => {
-            let mut depth = 0;
-            let open = last.rfind(|c: char| {
-                depth += match c {
-                    '}' => 1,
-                    '{' => -1,
-                    _ => 0,
-                };
-                depth < 0
-            });
-            let holder = open.and_then(|at| last.get(..at)).unwrap_or("").trim_end();
-            let name = holder.trim_end_matches([':', '=', ' ']);
-            holder.ends_with('(') || name.ends_with("niforms") || name.ends_with("ttributes")
-        }
-        _ => false,
-    }
+    let from = before.floor_char_boundary(before.len().saturating_sub(MAX_BEFORE));
+    let near = before.get(from..).unwrap_or("");
+    let line = near.rsplit('\n').next().unwrap_or("");
+    let last = near.trim_end().chars().next_back();
+    let shown = match last {
+        Some('.' | '"' | '\'' | '`') => line,
+        Some('{' | ',' | '}') => near,
+        _ => return false,
+    };
+    ["niform", "ttrib", "haderMaterial("]
+        .iter()
+        .any(|sign| shown.contains(sign))
 }
 
 /// The inputs of the program that a word in a script belongs to; those that are not set yet first.
@@ -48,7 +36,7 @@ pub fn inputs(document: &Document, word: Span, files: &dyn Files) -> Vec<Proposa
         return Vec::new();
     }
     let rest = text.get(word.start as usize..).unwrap_or("");
-    let rest = rest.trim_start_matches(super::is_of_name);
+    let rest = rest.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
     // What the editor shows is incomplete: its contract is not the one of the document.
     let options = Options {
         contracts: Arc::default(),
@@ -58,13 +46,18 @@ pub fn inputs(document: &Document, word: Span, files: &dyn Files) -> Vec<Proposa
         let text = format!("{before}{PLACEHOLDER}{end}{rest}");
         let around = contracts(&document.path, &text, &options, files);
         let programs = around.iter().flat_map(|contract| &contract.bindings);
-        let is_it = |p: &&ProgramBindings| p.mentions_of(PLACEHOLDER).next().is_some();
+        let is_it = |p: &&ProgramBindings| is_named(p, PLACEHOLDER);
         let programs: Vec<&ProgramBindings> = programs.filter(is_it).collect();
         if !programs.is_empty() {
             return proposals(&programs, before);
         }
     }
     Vec::new()
+}
+
+/// Whether scripts name an input of a program.
+fn is_named(program: &ProgramBindings, name: &str) -> bool {
+    program.mentions.iter().any(|(own, _)| own == name)
 }
 
 fn proposals(programs: &[&ProgramBindings], before: &str) -> Vec<Proposal> {
@@ -80,7 +73,7 @@ fn proposals(programs: &[&ProgramBindings], before: &str) -> Vec<Proposal> {
             if found.iter().any(|p| p.label == input.name) {
                 continue;
             }
-            let is_set = program.mentions_of(&input.name).next().is_some();
+            let is_set = is_named(program, &input.name);
             let kind = match is_attribute {
                 true => SymbolKind::Input,
                 false => SymbolKind::Uniform,

@@ -2,10 +2,10 @@
 //! of `#if` and in other files, and in the scripts that use the shader.
 
 use super::scripts::{in_scripts, names_file};
-use crate::bound::{BoundName, declared_inputs};
+use crate::bound::{BoundName, bound_at};
 use crate::document::{Document, FileSpan, Spot, SymbolOrigin};
 use crate::index::{NameUse, Occurrence, is_inactive};
-use crate::symbol::{Symbol, SymbolKind, declared_at, role};
+use crate::symbol::{Symbol, SymbolKind, role};
 use shaderlint_detect::embed::{MentionKind, NameRole};
 use shaderlint_project::Files;
 use shaderlint_semantic::{Completeness, Program, Resolution};
@@ -230,9 +230,13 @@ fn form(program: &Program, symbol: Symbol) -> Option<String> {
 pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> NameFamily {
     let word = here.text();
     let same = SameWord::of(documents, word, files);
-    let bound = bound(documents, here, files);
-    let declared = bound.iter().flat_map(BoundName::declared);
-    let linked = declared.filter_map(|place| same.compiled.get(&place));
+    let own = documents.iter().find(|d| d.path == here.spot.document.path);
+    // In the same document only, other files are of no interest.
+    let own = own.filter(|_| documents.len() > 1);
+    let bound = own.map(|own| bound_at(own, here.span.start, files).all);
+    let bound = bound.unwrap_or_default();
+    let declared = bound.iter().flat_map(|bound| &bound.declared);
+    let linked = declared.filter_map(|place| same.compiled.get(place));
     let mut origins: BTreeSet<SymbolOrigin> = linked.flatten().cloned().collect();
     origins.insert(here.origin());
     let mut family = same.family(origins);
@@ -284,41 +288,22 @@ pub fn family(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Na
     family
 }
 
-/// The inputs of programs that a name is.
-fn bound(documents: &[&Document], here: &NameHere, files: &dyn Files) -> Vec<BoundName> {
-    let (reading, program) = (here.spot.document, here.spot.program());
-    let symbol = here.name.symbol;
-    let place = declared_at(program, symbol).and_then(|span| reading.place(span));
-    let mut all = documents.iter();
-    // In the same document only, other files are of no interest.
-    let own = all.find(|d| d.path == reading.path && (documents.len() > 1 || d.is_script()));
-    match (place, own) {
-        (Some(place), Some(own)) if role(program, symbol) == NameRole::Input => {
-            declared_inputs(own, here.text(), &place, files)
-        }
-        _ => Vec::new(),
-    }
-}
-
 /// Adds the places of scripts that are known to name an input, and those that compute names.
 fn add_bound(documents: &[&Document], bound: &[BoundName], family: &mut NameFamily) {
     let at = |place: &FileSpan| {
         let found = documents.iter().position(|d| d.path == place.path);
         found.unwrap_or_default()
     };
-    for place in bound.iter().flat_map(BoundName::mentions) {
-        let at = at(&place);
-        let known = family
-            .mentions
-            .entry(place)
-            .or_insert((MentionKind::Name, at));
+    for place in bound.iter().flat_map(|bound| &bound.mentions) {
+        let new = (MentionKind::Name, at(place));
+        let known = family.mentions.entry(place.clone()).or_insert(new);
         if known.0 == MentionKind::Unclear {
-            known.0 = MentionKind::Name;
+            *known = new;
         }
     }
-    for place in bound.iter().flat_map(BoundName::computed) {
-        let at = at(&place);
-        family.mentions.insert(place, (MentionKind::Unclear, at));
+    for place in bound.iter().flat_map(|bound| &bound.computed) {
+        let new = (MentionKind::Unclear, at(place));
+        family.mentions.insert(place.clone(), new);
     }
 }
 

@@ -38,8 +38,9 @@ pub fn definition(
     let (buffer, offset) = snapshot.place(at)?;
     let document = snapshot.document(buffer);
     if document.spot(offset).is_none() {
-        let declared = ide::bound_at(&document, offset, &snapshot.files).declared();
-        let all = declared.iter().filter_map(|place| snapshot.location(place));
+        let bound = ide::bound_at(&document, offset, &snapshot.files);
+        let all = bound.declared().into_iter();
+        let all = all.filter_map(|place| snapshot.location(place));
         let all = Definition::LocationList(all.collect());
         return Ok(Some(DefinitionResponse::Definition(all)));
     }
@@ -54,7 +55,7 @@ pub fn declared(snapshot: &Snapshot, document: Arc<Document>, offset: u32) -> (A
         return (document, offset);
     }
     let bound = ide::bound_at(&document, offset, &snapshot.files);
-    let places = bound.declared().into_iter();
+    let places = bound.declared().into_iter().cloned();
     let mut found = places.filter_map(|place| {
         let document = match place.path == document.path {
             true => document.clone(),
