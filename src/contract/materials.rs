@@ -1,7 +1,7 @@
 //! Programs that libraries make of shaders and an object with the values of uniforms.
 
-mod elements;
 mod bind;
+mod elements;
 mod keys;
 mod lists;
 mod names;

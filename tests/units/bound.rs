@@ -126,6 +126,23 @@ fn names_in_scripts_lead_to_declarations() {
 }
 
 #[test]
+fn instances_of_a_class_set_its_uniforms() {
+    let script = "import { shaderMaterial } from '@react-three/drei';
+import { extend } from '@react-three/fiber';
+const WaveMaterial = shaderMaterial({ uTime: 0.5 },
+  'void main() { gl_Position = vec4(position, 1.0); }',
+  'uniform float uTime; void main() { gl_FragColor = vec4(uTime); }');
+extend({ WaveMaterial });
+export const Wave = () => <mesh><waveMaterial uTime={2} /></mesh>;
+";
+    let texts: Texts = [("/wave.jsx".into(), script.into())].into();
+    let declared = [("/wave.jsx", "float |uTime")];
+    check_definition(&texts, "/wave.jsx", "<waveMaterial uTi|me", &declared);
+    let set = ["set to `0.5` in `wave.jsx:3`", "changed in `wave.jsx:7`"];
+    check_hover(&texts, "/wave.jsx", "float u|Time", &set);
+}
+
+#[test]
 fn hovers_show_both_sides() {
     let texts = three();
     let set = [

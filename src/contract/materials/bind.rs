@@ -19,6 +19,13 @@ impl Material<'_> {
             let place = key.place;
             found.set(&key.name, InputSetting { place, value });
         }
+        // What is set on an instance changes its uniform.
+        for (name, place) in self.instances(world).into_iter().flatten() {
+            if found.input(name).is_some() {
+                found.mention(world, name, place);
+                found.set(name, InputSetting { place, value: None });
+            }
+        }
         for (id, place) in &world.reads {
             if self.holds_uniforms(world, *id) {
                 found.mention(world, world.code(*place).unwrap_or(""), *place);

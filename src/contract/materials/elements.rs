@@ -8,8 +8,25 @@ use shaderlint_script::{EventKind, ForeignCall, ObjectKind, ScriptPlace, World};
 impl Material<'_> {
     /// Checks what is set on instances of the class: names that only look like those of uniforms.
     pub(super) fn check_instances(&self, world: &World, found: &mut Vec<Breach>) {
-        if !self.maker.is_class || self.is_open {
+        if self.is_open {
             return;
+        }
+        for all in self.instances(world) {
+            for (name, place) in &all {
+                let rest = self.keys.iter().map(|key| key.name.as_str());
+                let rest = rest.filter(|known| all.iter().all(|(given, _)| given != known));
+                let is_known = self.stages.mention(name) || is_property(name);
+                if !is_known && nearest(name, rest).is_some() {
+                    found.push(self.stray_access(name, *place));
+                }
+            }
+        }
+    }
+
+    /// The names that are set on each instance of the class.
+    pub(super) fn instances<'v>(&self, world: &'v World) -> Vec<Vec<(&'v str, ScriptPlace)>> {
+        if !self.maker.is_class {
+            return Vec::new();
         }
         let calls = || {
             world.events.iter().filter_map(|event| match &event.kind {
@@ -20,14 +37,12 @@ impl Material<'_> {
         let names: Vec<String> = calls()
             .filter_map(|call| self.registered(world, call))
             .collect();
-        for call in calls().filter(|call| call.is_new) {
-            let is_own = match call.callee {
-                Some(class) => class == self.call.result,
-                None => names.iter().any(|name| **name == *call.name),
-            };
-            if !is_own {
-                continue;
-            }
+        let own = calls().filter(|call| match call.callee {
+            _ if !call.is_new => false,
+            Some(class) => class == self.call.result,
+            None => names.iter().any(|name| **name == *call.name),
+        });
+        let set = own.map(|call| {
             let attributes = call.arguments.first().filter(|_| call.callee.is_none());
             let attributes = attributes.and_then(|(value, _)| world.object(value.object()?));
             let attributes = attributes.map_or(&[][..], |object| &object.properties);
@@ -40,16 +55,9 @@ impl Material<'_> {
                 } if *object == call.result => Some((&**key, event.place)),
                 _ => None,
             });
-            let all: Vec<(&str, ScriptPlace)> = given.chain(later).collect();
-            for (name, place) in &all {
-                let rest = self.keys.iter().map(|key| key.name.as_str());
-                let rest = rest.filter(|known| all.iter().all(|(given, _)| given != known));
-                let is_known = self.stages.mention(name) || is_property(name);
-                if !is_known && nearest(name, rest).is_some() {
-                    found.push(self.stray_access(name, *place));
-                }
-            }
-        }
+            given.chain(later).collect()
+        });
+        set.collect()
     }
 
     /// The name of its elements if a call registers the class: `extend({ WaveMaterial })`.
