@@ -10,8 +10,10 @@ use shaderlint_script::Loader;
 use shaderlint_text::path::plain;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
+/// Maximum number of contracts that are kept.
+const MAX_KEPT: usize = 64;
 /// Maximum number of scripts around a shader file that are evaluated.
 const MAX_AROUND: usize = 4;
 /// Extensions that imports leave out.
@@ -96,7 +98,19 @@ pub fn contract(
         return None;
     }
     let place = Path::new(path);
-    if let Some(known) = options.contracts.get(place, text, files) {
+    let all = || {
+        options
+            .contracts
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+    };
+    let known = all().get(place).cloned();
+    let is_same = |(path, text): &(PathBuf, Arc<str>)| files.load(path).is_ok_and(|t| t == *text);
+    let is_current = |contract: &Arc<Contract>| match contract.files.split_first() {
+        Some((root, modules)) => *root.1 == *text && modules.iter().all(is_same),
+        None => false,
+    };
+    if let Some(known) = known.filter(is_current) {
         return Some(known);
     }
     let modules = ProgramModules {
@@ -109,7 +123,10 @@ pub fn contract(
         release,
         &modules,
     )?);
-    options.contracts.keep(place, found.clone());
+    if all().len() >= MAX_KEPT {
+        all().clear();
+    }
+    all().insert(place.to_path_buf(), found.clone());
     Some(found)
 }
 

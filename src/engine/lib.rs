@@ -8,7 +8,6 @@
 mod check;
 mod check_context;
 pub mod config;
-mod contract_cache;
 mod contracts;
 mod findings;
 mod fix;

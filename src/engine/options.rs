@@ -1,6 +1,6 @@
 //! The options of a check: dialect, rules, host, includes.
 
-use crate::contract_cache::ContractCache;
+use shaderlint_contract::Contract;
 use shaderlint_detect::kind::Claim;
 use shaderlint_host::{Preset, kept};
 use shaderlint_lint::Settings;
@@ -9,8 +9,12 @@ use shaderlint_rules::RULES;
 #[cfg(feature = "cli")]
 use shaderlint_syntax::Version;
 use shaderlint_syntax::{Extensions, WebGl};
-use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::collections::{BTreeSet, HashMap};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+
+/// By path of a script: what it sets. Cloned options share it.
+pub type ContractCache = Mutex<HashMap<PathBuf, Arc<Contract>>>;
 
 /// The options of a check.
 #[derive(Clone, Debug)]

@@ -39,14 +39,14 @@ pub fn scripted(
         };
         let inputs = contract.bindings.iter().flat_map(|program| &program.inputs);
         for input in inputs.filter(|i| !i.is_attribute && i.declared.iter().any(is_own)) {
-            let known = found.iter_mut().find(|known| known.name == input.name);
-            match (known, scripted_value(&contract, input)) {
-                (Some(known), Some(value)) if known.value == value.value => {
-                    known.is_constant &= value.is_constant;
+            let value = scripted_value(&contract, input);
+            match found.iter_mut().find(|known| known.name == input.name) {
+                Some(known) => {
+                    let is_equal = value.as_ref().is_some_and(|v| v.value == known.value);
+                    known.is_constant &= is_equal && value.as_ref().is_some_and(|v| v.is_constant);
+                    unequal.extend(value.filter(|_| !is_equal).map(|v| v.name));
                 }
-                (Some(_), Some(_)) => unequal.push(input.name.clone()),
-                (Some(known), None) => known.is_constant = false,
-                (None, value) => found.extend(value),
+                None => found.extend(value),
             }
         }
     }

@@ -41,8 +41,9 @@ pub fn definition(
         let bound = ide::bound_at(&document, offset, &snapshot.files);
         let all = bound.declared().into_iter();
         let all = all.filter_map(|place| snapshot.location(place));
-        let all = Definition::LocationList(all.collect());
-        return Ok(Some(DefinitionResponse::Definition(all)));
+        let all: Vec<Location> = all.collect();
+        let found = (!all.is_empty()).then_some(Definition::LocationList(all));
+        return Ok(found.map(DefinitionResponse::Definition));
     }
     let found = find(snapshot, at, ide::definition)?;
     Ok(found.map(|place| DefinitionResponse::Definition(Definition::Location(place))))
