@@ -8,9 +8,10 @@ use shaderlint_host::chunk_libraries;
 use shaderlint_project::{FileAccess, FileCache, Files, installed_release, meant};
 use shaderlint_script::Loader;
 use shaderlint_text::path::plain;
+use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, PoisonError};
+use std::sync::{Arc, MutexGuard, PoisonError};
 
 /// Maximum number of contracts that are kept.
 const MAX_KEPT: usize = 64;
@@ -87,6 +88,12 @@ fn is_script(path: &str) -> bool {
     )
 }
 
+/// The contracts that are kept, by the paths of their scripts.
+fn kept(options: &Options) -> MutexGuard<'_, HashMap<PathBuf, Arc<Contract>>> {
+    let all = options.contracts.lock();
+    all.unwrap_or_else(PoisonError::into_inner)
+}
+
 /// The contract of the program that starts with a script, which is evaluated unless it is known.
 pub fn contract(
     path: &str,
@@ -98,13 +105,7 @@ pub fn contract(
         return None;
     }
     let place = Path::new(path);
-    let all = || {
-        options
-            .contracts
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-    };
-    let known = all().get(place).cloned();
+    let known = kept(options).get(place).cloned();
     let is_same = |(path, text): &(PathBuf, Arc<str>)| files.load(path).is_ok_and(|t| t == *text);
     let is_current = |contract: &Arc<Contract>| match contract.files.split_first() {
         Some((root, modules)) => *root.1 == *text && modules.iter().all(is_same),
@@ -118,15 +119,13 @@ pub fn contract(
         cache: &options.file_cache,
     };
     let release = release(path, text, options.file_access(files));
-    let found = Arc::new(shaderlint_contract::check(
-        (place, text),
-        release,
-        &modules,
-    )?);
-    if all().len() >= MAX_KEPT {
-        all().clear();
+    let found = shaderlint_contract::check((place, text), release, &modules);
+    let found = Arc::new(found?);
+    let mut all = kept(options);
+    if all.len() >= MAX_KEPT {
+        all.clear();
     }
-    all().insert(place.to_path_buf(), found.clone());
+    all.insert(place.to_path_buf(), found.clone());
     Some(found)
 }
 
@@ -143,11 +142,42 @@ pub fn contracts(
     }
     let file = plain(&files.here().join(path));
     let importers = options.file_cache.importers(&file, files);
-    let found = importers.iter().filter_map(|script| {
+    contracts_of(&importers, options, files)
+}
+
+/// The contracts of the first of some scripts.
+fn contracts_of(scripts: &[PathBuf], options: &Options, files: &dyn Files) -> Vec<Arc<Contract>> {
+    let found = scripts.iter().filter_map(|script| {
         let text = files.load(script).ok()?;
         contract(&script.to_string_lossy(), &text, options, files)
     });
     found.take(MAX_AROUND).collect()
+}
+
+/// The contracts of the programs that a file is in, with those of scripts that were evaluated before: which these
+/// are depends on what was checked.
+pub fn known_contracts(
+    path: &str,
+    text: &str,
+    options: &Options,
+    files: &dyn Files,
+) -> Vec<Arc<Contract>> {
+    let mut found = contracts(path, text, options, files);
+    let is_in = |(root, contract): &(&PathBuf, &Arc<Contract>)| {
+        let mut modules = contract.files.iter().skip(1);
+        let is_new = found
+            .iter()
+            .all(|known| known.files.first().is_none_or(|f| f.0 != **root));
+        is_new && modules.any(|(module, _)| *module == *Path::new(path))
+    };
+    let all = kept(options);
+    let roots = all.iter().filter(is_in).map(|(root, _)| root.clone());
+    let mut roots: Vec<PathBuf> = roots.collect();
+    // Evaluating them asks for it again.
+    drop(all);
+    roots.sort();
+    found.extend(contracts_of(&roots, options, files));
+    found
 }
 
 /// The release of the library of a patch or colour that the project has, or that addresses in the script name.

@@ -20,7 +20,7 @@ mod shader;
 mod text;
 
 pub use check::{analyze, check, check_content};
-pub use contracts::contracts;
+pub use contracts::{contracts, known_contracts};
 pub use findings::report::Report;
 pub use fix::fix_text::fix_text;
 pub use fix::format::{Formatting, format};

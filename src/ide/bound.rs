@@ -5,7 +5,7 @@ use crate::symbol::declared_at;
 use shaderlint_contract::{Contract, InputValue, ProgramBindings};
 use shaderlint_detect::embed::{DocumentLanguage, MentionKind, NameRole, mentions};
 use shaderlint_detect::kind::file_extension;
-use shaderlint_engine::contracts;
+use shaderlint_engine::known_contracts;
 use shaderlint_project::Files;
 use shaderlint_script::ScriptPlace;
 use shaderlint_text::Span;
@@ -85,7 +85,7 @@ pub struct BoundNames {
 
 /// The inputs of a name in the programs around a document.
 fn inputs(document: &Document, name: &str, files: &dyn Files) -> Vec<BoundName> {
-    let around = contracts(&document.path, &document.text, &document.options, files);
+    let around = known_contracts(&document.path, &document.text, &document.options, files);
     let programs = around
         .iter()
         .flat_map(|c| c.bindings.iter().map(move |p| (c, p)));

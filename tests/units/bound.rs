@@ -126,6 +126,29 @@ fn names_in_scripts_lead_to_declarations() {
 }
 
 #[test]
+fn strings_of_modules_belong_to_programs_that_were_checked() {
+    let module = format!("export const fragmentShader = `{FRAGMENT}`;\n");
+    let script = SCRIPT
+        .replace("import vertexShader from './sea.vert';\n", "")
+        .replace(
+            "fragmentShader from './sea.frag'",
+            "{ fragmentShader } from './sea.js'",
+        )
+        .replace("vertexShader, ", "");
+    let texts = [("/main.js", script), ("/sea.js", module)];
+    let texts: Texts = texts.map(|(path, text)| (path.into(), text.into())).into();
+    let main = opened(&texts, "/main.js");
+    let module = texts[&PathBuf::from("/sea.js")].clone();
+    let module = Document::new("/sea.js", module, main.options.clone(), &texts);
+    let at = offset(&module.text, "vec3 u|Color");
+    let found = hover(&module, at, None, &texts).unwrap().text;
+    assert!(
+        found.contains("set to `(1, 0.5, 0)` in `main.js:8`"),
+        "{found}"
+    );
+}
+
+#[test]
 fn instances_of_a_class_set_its_uniforms() {
     let script = "import { shaderMaterial } from '@react-three/drei';
 import { extend } from '@react-three/fiber';
