@@ -74,7 +74,7 @@ impl Loader for ProgramModules<'_> {
         script_code(DocumentLanguage::of_extension(&extension)?, text)
     }
 
-    fn element(&self, text: &str, id: &str) -> Option<Range<usize>> {
+    fn element(&self, text: &str, id: &str) -> Option<(Range<usize>, String)> {
         element_of(text, id)
     }
 }

@@ -28,8 +28,8 @@ pub trait Loader {
     fn load(&self, path: &str, from: &Path) -> Option<(PathBuf, Arc<str>)>;
     /// The code of a file in which everything except its scripts is blank; `None` if it is not a script.
     fn script(&self, path: &Path, text: &str) -> Option<String>;
-    /// The contents of the element of a page with this `id`.
-    fn element(&self, text: &str, id: &str) -> Option<Range<usize>>;
+    /// The contents of the script element of a page with this `id`, and its `type`.
+    fn element(&self, text: &str, id: &str) -> Option<(Range<usize>, String)>;
 }
 
 /// Evaluates a program and hands on what it does. Functions that nothing calls are called last, with unknown
@@ -118,7 +118,7 @@ pub(crate) struct Evaluator<'a, 'r> {
     /// The modules with the objects of their exports.
     pub modules: Vec<(PathBuf, ObjectId)>,
     globals: FxHashMap<Rc<str>, ObjectId>,
-    members: FxHashMap<(ObjectId, Rc<str>), ObjectId>,
+    pub(crate) members: FxHashMap<(ObjectId, Rc<str>), ObjectId>,
     pub frames: Vec<ScriptFrame>,
     /// The functions that are running.
     pub active: Vec<ObjectId>,
@@ -349,8 +349,8 @@ impl<'a> Evaluator<'a, '_> {
     /// The value of a property.
     pub fn member(&mut self, value: &ScriptValue, key: &str, place: ScriptPlace) -> ScriptValue {
         let id = match value {
-            ScriptValue::Object(id) => match self.element_text(*id, key) {
-                Some(text) => return text,
+            ScriptValue::Object(id) => match self.element_part(*id, key, place) {
+                Some(part) => return part,
                 None => *id,
             },
             ScriptValue::Text(text) if key == "length" && !text.is_open => {
@@ -417,32 +417,6 @@ impl<'a> Evaluator<'a, '_> {
         let object = self.world.object(value.object()?)?;
         let is_made = matches!(object.kind, ObjectKind::Foreign(Source::Event(_)));
         is_made.then(|| value.clone())
-    }
-
-    /// The text of an element of the page: `document.getElementById("id").textContent`.
-    fn element_text(&self, id: ObjectId, key: &str) -> Option<ScriptValue> {
-        let is_text = ["textContent", "innerText", "innerHTML", "text"].contains(&key);
-        let call = self.world.call_of(id).filter(|_| is_text)?;
-        let (selector, _) = call.arguments.first()?;
-        let name = match &*call.name {
-            "getElementById" => selector.text()?,
-            "querySelector" => selector.text()?.strip_prefix('#')?,
-            _ => return None,
-        };
-        self.page_element(name)
-    }
-
-    /// The contents of an element of the page.
-    pub fn page_element(&self, name: &str) -> Option<ScriptValue> {
-        let (_, page) = self.world.files.first()?;
-        let range = self.loader.element(page, name)?;
-        let place = ScriptPlace {
-            file: 0,
-            start: range.start as u32,
-            end: range.end as u32,
-        };
-        let text = KnownText::written(page.get(range)?, place);
-        Some(ScriptValue::Text(Rc::new(text)))
     }
 
     /// A property of an object of which nothing is known; the same each time.

@@ -15,6 +15,7 @@ mod evaluator;
 mod expression;
 mod jsx;
 mod module;
+mod page;
 mod statement;
 mod value;
 mod world;

@@ -23,7 +23,7 @@ impl Loader for ProgramModules {
             .then(|| text.to_string())
     }
 
-    fn element(&self, _text: &str, _id: &str) -> Option<Range<usize>> {
+    fn element(&self, _text: &str, _id: &str) -> Option<(Range<usize>, String)> {
         None
     }
 }

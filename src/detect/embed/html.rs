@@ -60,8 +60,8 @@ pub fn scripts(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// The contents of the script element with this `id`.
-pub fn element_of(text: &str, id: &str) -> Option<Range<usize>> {
+/// The contents of the script element with this `id`, and its `type`.
+pub fn element_of(text: &str, id: &str) -> Option<(Range<usize>, String)> {
     let lower = text.to_ascii_lowercase();
     let mut at = 0;
     while let Some(element) = next_script(&lower, at) {
@@ -69,7 +69,8 @@ pub fn element_of(text: &str, id: &str) -> Option<Range<usize>> {
         let head = text.get(..element.start)?;
         let head = head.get(head.rfind('<')?..)?;
         if attribute(head, "id") == Some(id) {
-            return Some(element.start..element.end);
+            let kind = attribute(head, "type").unwrap_or("");
+            return Some((element.start..element.end, kind.to_string()));
         }
     }
     None
