@@ -2,11 +2,11 @@
 
 use crate::options::Options;
 use shaderlint_contract::{Contract, NEWEST, is_library, may_make_programs};
-use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code};
+use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code, script_files};
 use shaderlint_detect::kind::file_extension;
 use shaderlint_host::chunk_libraries;
 use shaderlint_project::{FileAccess, FileCache, Files, installed_release, meant};
-use shaderlint_script::Loader;
+use shaderlint_script::{ExternalScript, Loader};
 use shaderlint_text::path::plain;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -77,6 +77,29 @@ impl Loader for ProgramModules<'_> {
     fn element(&self, text: &str, id: &str) -> Option<(Range<usize>, String)> {
         element_of(text, id)
     }
+
+    fn scripts(&self, path: &Path, text: &str) -> Vec<ExternalScript> {
+        if !is_page(&path.to_string_lossy()) {
+            return Vec::new();
+        }
+        let files = script_files(text).into_iter();
+        let own = files.filter(|(_, path, _)| !path.contains("//"));
+        own.map(|(at, path, is_module)| ExternalScript {
+            at,
+            // A path without a dot is no package here.
+            path: match path.starts_with(['.', '/']) {
+                true => path.to_string(),
+                false => format!("./{path}"),
+            },
+            is_module,
+        })
+        .collect()
+    }
+}
+
+/// Whether a file is a page.
+fn is_page(path: &str) -> bool {
+    DocumentLanguage::of_extension(&file_extension(path)) == Some(DocumentLanguage::Html)
 }
 
 /// Whether a file may contain scripts.
@@ -101,10 +124,20 @@ pub fn contract(
     options: &Options,
     files: &dyn Files,
 ) -> Option<Arc<Contract>> {
-    if !is_script(path) || !may_make_programs(text) {
+    let place = Path::new(path);
+    let modules = ProgramModules {
+        files,
+        cache: &options.file_cache,
+    };
+    let makes_programs = |script: &ExternalScript| {
+        let found = modules.load(&script.path, place);
+        found.is_some_and(|(_, text)| may_make_programs(&text))
+    };
+    let is_program =
+        may_make_programs(text) || modules.scripts(place, text).iter().any(makes_programs);
+    if !is_script(path) || !is_program {
         return None;
     }
-    let place = Path::new(path);
     let known = kept(options).get(place).cloned();
     let is_same = |(path, text): &(PathBuf, Arc<str>)| files.load(path).is_ok_and(|t| t == *text);
     let is_current = |contract: &Arc<Contract>| match contract.files.split_first() {
@@ -114,10 +147,6 @@ pub fn contract(
     if let Some(known) = known.filter(is_current) {
         return Some(known);
     }
-    let modules = ProgramModules {
-        files,
-        cache: &options.file_cache,
-    };
     let release = release(path, text, options.file_access(files));
     let found = shaderlint_contract::check((place, text), release, &modules);
     let found = Arc::new(found?);

@@ -400,7 +400,7 @@ impl<'a> Evaluator<'a, '_> {
                 continue;
             };
             // Those of other files are called when these are the root.
-            if object.place.file != 0 {
+            if !self.own_files.contains(&object.place.file) {
                 continue;
             }
             self.task += 1;

@@ -30,6 +30,19 @@ pub trait Loader {
     fn script(&self, path: &Path, text: &str) -> Option<String>;
     /// The contents of the script element of a page with this `id`, and its `type`.
     fn element(&self, text: &str, id: &str) -> Option<(Range<usize>, String)>;
+    /// The scripts of a page that are files.
+    fn scripts(&self, path: &Path, text: &str) -> Vec<ExternalScript>;
+}
+
+/// A script of a page that is a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ExternalScript {
+    /// Offset of its element in the page.
+    pub at: usize,
+    /// The path in the page.
+    pub path: String,
+    /// Whether it is a module.
+    pub is_module: bool,
 }
 
 /// Evaluates a program and hands on what it does. Functions that nothing calls are called last, with unknown
@@ -57,6 +70,7 @@ pub fn evaluate<R>(
         missing: None,
         loops: 0,
         file: 0,
+        own_files: vec![0],
         steps: MAX_STEPS,
         depth: 0,
     };
@@ -118,7 +132,9 @@ pub(crate) struct Evaluator<'a, 'r> {
     /// The modules with the objects of their exports.
     pub modules: Vec<(PathBuf, ObjectId)>,
     globals: FxHashMap<Rc<str>, ObjectId>,
-    pub(crate) members: FxHashMap<(ObjectId, Rc<str>), ObjectId>,
+    /// The root, and the scripts of a page that are files.
+    pub own_files: Vec<usize>,
+    pub members: FxHashMap<(ObjectId, Rc<str>), ObjectId>,
     pub frames: Vec<ScriptFrame>,
     /// The functions that are running.
     pub active: Vec<ObjectId>,

@@ -20,7 +20,7 @@ mod statement;
 mod value;
 mod world;
 
-pub use evaluator::{Loader, evaluate};
+pub use evaluator::{ExternalScript, Loader, evaluate};
 pub use value::{KnownText, ObjectId, Primitive, ScriptPlace, ScriptValue};
 pub use world::{
     Closure, EventCertainty, EventId, EventKind, ForeignCall, ObjectKind, Property, ScriptClass,

@@ -1,12 +1,12 @@
 //! Modules: imports and exports.
 
-use crate::evaluator::Evaluator;
+use crate::evaluator::{Evaluator, ExternalScript};
 use crate::value::{KnownText, ObjectId, ScriptPlace, ScriptValue};
 use crate::world::{ObjectKind, ScopeId, Source};
 use oxc_ast::ast as js;
 use oxc_parser::{ParseOptions, Parser};
 use oxc_span::{GetSpan, SourceType};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -23,23 +23,8 @@ impl<'a> Evaluator<'a, '_> {
             self.world.is_cut = true;
             return None;
         }
-        let code = self.loader.script(&path, &text)?;
-        let code: &'a str = self.allocator.alloc_str(&code);
-        let types = [
-            SourceType::tsx(),
-            SourceType::ts(),
-            SourceType::script().with_jsx(true),
-        ];
-        let options = ParseOptions {
-            preserve_parens: false,
-            ..ParseOptions::default()
-        };
-        let program = types.into_iter().find_map(|source_type| {
-            let parser = Parser::new(self.allocator, code, source_type).with_options(options);
-            let parsed = parser.parse();
-            (!parsed.panicked).then_some(parsed.program)
-        })?;
-        let program: &'a js::Program<'a> = self.allocator.alloc(program);
+        let program = self.parse(&path, &text)?;
+        let external = self.loader.scripts(&path, &text);
         let number = self.world.files.len();
         self.world.files.push((path.clone(), text));
         let file = std::mem::replace(&mut self.file, number);
@@ -61,7 +46,19 @@ impl<'a> Evaluator<'a, '_> {
             }
         }
         let frames = std::mem::take(&mut self.frames);
+        // A page is read with its own scripts as one.
+        let own = program
+            .body
+            .first()
+            .map_or(0, |first| first.span().start as usize);
+        let (before, after): (Vec<_>, Vec<_>) = external.iter().partition(|s| s.at < own);
+        before
+            .iter()
+            .for_each(|script| self.external_script(scope, script));
         self.statements(scope, &program.body);
+        after
+            .iter()
+            .for_each(|script| self.external_script(scope, script));
         self.frames = frames;
         self.file = file;
         // `module.exports = ...`
@@ -71,6 +68,51 @@ impl<'a> Evaluator<'a, '_> {
             self.copy_properties(exports, &replaced);
         }
         Some(exports)
+    }
+
+    fn parse(&self, path: &Path, text: &str) -> Option<&'a js::Program<'a>> {
+        let code = self.loader.script(path, text)?;
+        let code: &'a str = self.allocator.alloc_str(&code);
+        let types = [
+            SourceType::tsx(),
+            SourceType::ts(),
+            SourceType::script().with_jsx(true),
+        ];
+        let options = ParseOptions {
+            preserve_parens: false,
+            ..ParseOptions::default()
+        };
+        let program = types.into_iter().find_map(|source_type| {
+            let parser = Parser::new(self.allocator, code, source_type).with_options(options);
+            let parsed = parser.parse();
+            (!parsed.panicked).then_some(parsed.program)
+        })?;
+        Some(self.allocator.alloc(program))
+    }
+
+    /// Evaluates a script that a page names, in the scope of the page.
+    fn external_script(&mut self, scope: ScopeId, script: &ExternalScript) {
+        if script.is_module {
+            self.import(&script.path, ScriptPlace::default());
+            return;
+        }
+        let page = self
+            .world
+            .files
+            .get(self.file)
+            .map(|(path, _)| path.clone());
+        let found = page.and_then(|page| self.loader.load(&script.path, &page));
+        let Some((path, text)) = found.filter(|_| self.world.files.len() < MAX_FILES) else {
+            return;
+        };
+        if let Some(program) = self.parse(&path, &text) {
+            let number = self.world.files.len();
+            self.world.files.push((path, text));
+            self.own_files.push(number);
+            let file = std::mem::replace(&mut self.file, number);
+            self.statements(scope, &program.body);
+            self.file = file;
+        }
     }
 
     fn import_declaration(&mut self, scope: ScopeId, it: &'a js::ImportDeclaration<'a>) {

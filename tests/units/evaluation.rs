@@ -1,7 +1,8 @@
 //! What is known of the values of a script without running it: each script calls `show` with some.
 
 use shaderlint::script::{
-    EventCertainty, EventKind, Loader, ObjectKind, Primitive, ScriptValue, World, evaluate,
+    EventCertainty, EventKind, ExternalScript, Loader, ObjectKind, Primitive, ScriptValue, World,
+    evaluate,
 };
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -25,6 +26,10 @@ impl Loader for ProgramModules {
 
     fn element(&self, _text: &str, _id: &str) -> Option<(Range<usize>, String)> {
         None
+    }
+
+    fn scripts(&self, _path: &Path, _text: &str) -> Vec<ExternalScript> {
+        Vec::new()
     }
 }
 

@@ -60,6 +60,24 @@ pub fn scripts(text: &str) -> Vec<Range<usize>> {
     found
 }
 
+/// The scripts of a page that are files: offsets of their elements, paths, and whether they are modules.
+pub fn script_files(text: &str) -> Vec<(usize, &str, bool)> {
+    let lower = text.to_ascii_lowercase();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(element) = next_script(&lower, at) {
+        at = element.end;
+        let head = text.get(..element.start).unwrap_or("");
+        let open = head.rfind('<').unwrap_or(0);
+        let head = head.get(open..).unwrap_or("");
+        let kind = attribute(head, "type").unwrap_or("");
+        if let Some(path) = attribute(head, "src").filter(|_| is_script(kind)) {
+            found.push((open, path, kind == "module"));
+        }
+    }
+    found
+}
+
 /// The contents of the script element with this `id`, and its `type`.
 pub fn element_of(text: &str, id: &str) -> Option<(Range<usize>, String)> {
     let lower = text.to_ascii_lowercase();

@@ -34,7 +34,7 @@ pub use embedded::{
 };
 pub use embedder::{Embedder, LeadingBlanks};
 pub use holes::mask;
-pub use html::element_of;
+pub use html::{element_of, script_files};
 pub use mention::{Mention, MentionKind, NameRole, mentions};
 pub use receiver::ShaderReceiver;
 pub use script::ParsedScript;
