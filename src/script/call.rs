@@ -404,7 +404,11 @@ impl<'a> Evaluator<'a, '_> {
                 continue;
             }
             self.task += 1;
+            let is_root = object.place.file == 0;
             match &object.kind {
+                // A page need not use all classes of its script files.
+                ObjectKind::Function(closure) if !is_root && closure.home.is_some() => {}
+                ObjectKind::Class(_) if !is_root => {}
                 ObjectKind::Function(closure) if closure.runs == 0 => {
                     let this = closure.home.map(|home| self.instance(home));
                     self.run_unknown(id, this);
