@@ -72,7 +72,9 @@ impl MacroReader {
             if words.next().is_some_and(|word| text(word.span) == "define")
                 && let Some(name) = words.next()
             {
-                let end = words.last().map_or(name.span.end, |last| last.span.end);
+                let end = words
+                    .next_back()
+                    .map_or(name.span.end, |last| last.span.end);
                 let value = text(Span::new(name.span.end, end));
                 self.define(text(name.span), value.trim());
             }

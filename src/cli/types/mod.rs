@@ -120,12 +120,15 @@ fn generate(args: &TypesArgs) -> io::Result<u8> {
     Ok(code)
 }
 
+/// Inputs with their shaders.
+type InputShaders = Vec<(InputFile, Vec<ReflectedShader>)>;
+
 /// The inputs that `is_input` takes with their shaders, and the exit code so far.
 fn shaders_of(
     paths: &[PathBuf],
     stdin_name: Option<&str>,
     is_input: impl Fn(&str) -> bool,
-) -> io::Result<(Vec<(InputFile, Vec<ReflectedShader>)>, u8)> {
+) -> io::Result<(InputShaders, u8)> {
     let configs = configs(asked(paths));
     if let Some(message) = configs.problem() {
         complain(&message);
