@@ -13,7 +13,7 @@ const MAX_FUNCTION: usize = 80;
 /// Most files in a folder of `src`, without those in folders in it.
 const MAX_FOLDER: usize = 25;
 /// Most lines of Rust in `src` and `rules`, as `wc -l` counts them.
-const MAX_LINES: usize = 195_400;
+const MAX_LINES: usize = 195_600;
 
 #[test]
 fn modules_are_documented_and_stay_small() {
@@ -143,7 +143,7 @@ fn folders_of_src_have_at_most_25_files() {
 
 /// It prints the number whether or not the output of tests is shown, for `tests/run`.
 #[test]
-fn src_and_rules_have_at_most_195_400_lines_of_rust() {
+fn src_and_rules_have_at_most_195_600_lines_of_rust() {
     let texts = files(&["src", "rules"], ".rs");
     let count: usize = texts
         .iter()

@@ -282,7 +282,7 @@ fn documented_output_is_up_to_date() {
 fn documented_options_and_paths_exist() {
     let place = Place::new();
     let (_, lint) = place.run(
-        "shaderlint --help; for c in rules reduce run test fmt; do shaderlint $c --help; done",
+        "shaderlint --help; for c in rules reduce run test fmt types reflect; do shaderlint $c --help; done",
     );
     let (_, port) = place.run("shaderport --help; shaderport gallery --help");
     let others = [CARGO.as_slice(), &INSTALLERS].concat();
