@@ -103,6 +103,14 @@ fn literals_without_shaders_are_skipped() {
     check_shaders(&format!("a('{clear}');"), &[clear]);
 }
 
+/// A text of another language, in which a value that nothing is known of has no width.
+#[test]
+fn holes_without_width_are_allowed() {
+    let script = "const lines = ['#usda 1.0', '{'];\nlines.push('    matrix4d m = ' + f(a));\n\
+        lines.push('    float inputs = ' + (b ?? 0));\nlines.push('}');\ng(lines.join('\\n'));\n";
+    extract(DocumentLanguage::Script, script);
+}
+
 #[test]
 fn text_that_the_script_trims_is_trimmed() {
     check_shaders("s = `\n#version 300 es\nx`.trim()", &["#version 300 es\nx"]);

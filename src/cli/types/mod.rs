@@ -115,7 +115,7 @@ fn generate(args: &TypesArgs) -> io::Result<u8> {
     if let Some(path) = &args.helpers {
         writer.put(Some(path), &helpers(&style))?;
     }
-    writer.sum_up(files.is_empty());
+    writer.sum_up(files.is_empty() && code == CLEAN);
     code = code.max(writer.code);
     Ok(code)
 }

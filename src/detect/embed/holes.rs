@@ -216,7 +216,9 @@ impl<'a> HolePlace<'a> {
                 self.after_operand(next)
             }
             // The rest of the statement, with its semicolon.
-            HoleSign::Word("return") | HoleSign::Mark(b'=') if self.is_done(next) => {
+            HoleSign::Word("return") | HoleSign::Mark(b'=')
+                if self.length > 0 && self.is_done(next) =>
+            {
                 words.word(key, self.length - 1) + ";"
             }
             _ => words.word(key, self.length),

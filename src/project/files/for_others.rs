@@ -159,6 +159,7 @@ fn declarations<'t>(text: &'t str, from: DeclarationPlace, found: &mut Vec<&'t s
     let place = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
     // Whether a list of declarators is open.
     let mut in_list = false;
+    let mut in_block = false;
     let (mut before, mut qualified, mut after_type) = ("", false, false);
     let (mut end, mut open) = (0, 0_u32);
     for word in names(text) {
@@ -172,15 +173,21 @@ fn declarations<'t>(text: &'t str, from: DeclarationPlace, found: &mut Vec<&'t s
                 _ => {}
             }
         }
+        in_block |= qualified && between.starts_with('{');
+        // `uniform Lights { vec3 sun; } lights;`
+        let is_instance = in_block && open == 0 && between.ends_with('}');
+        in_block &= open > 0;
         let is_plain = !is_type(word);
         let before_is_type = std::mem::replace(&mut after_type, !is_plain);
         let is_adjacent = between.is_empty();
         let is_macro = before == "define" && is_adjacent;
         let follows_type = is_adjacent && (before_is_type || before == "struct");
         let continues = in_list && between.ends_with(',') && is_declarator_end(between);
-        let is_declared = is_plain && (is_macro || follows_type || qualified && is_adjacent);
+        let is_own = is_macro || follows_type || is_instance || qualified && is_adjacent;
+        let is_declared = is_plain && is_own;
         in_list = is_declared || continues && is_plain;
-        if in_list && (from == DeclarationPlace::Anywhere || open == 0) {
+        let is_global = open == 0 || in_block && open == 1;
+        if in_list && (from == DeclarationPlace::Anywhere || is_global) {
             found.push(word);
         }
         // The type of a qualified declaration may be a name of the text.
@@ -285,6 +292,8 @@ mod tests {
         );
         let part = "uniform float u1, u2[3], u3;\n#define N 3\nstruct S { vec3 at; };";
         check("a.glsl", part, &["u1", "u2", "u3", "N", "S"], &[]);
+        let blocks = "uniform A { vec3 u1; } u2;\nuniform B { float u3; };\nvoid f() { vec3 a; }";
+        check("a.glsl", blocks, &["u1", "u2", "u3", "f"], &[]);
         check("a.glsl", "float f(vec2 u1) { vec3 u2; }", &["f"], &[]);
         check("a.glsl", "void g() {}", &["g"], &[]);
         let uses = "void main() { gl_FragColor = a.u1 + u2(u3); /* u4 */ }";
