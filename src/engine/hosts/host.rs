@@ -40,6 +40,8 @@ pub struct Hosts<'a> {
     /// The names that the script may declare for its shaders, by hash, and whether it puts declarations
     /// together; computed on first use.
     given: OnceCell<(FxHashSet<u64>, bool)>,
+    /// Whether the script may ask for WebGL1 alone; computed on first use.
+    may_be_webgl1: OnceCell<bool>,
     /// What the scripts ask WebGL for; computed on first use.
     asked_webgl: OnceCell<AskedWebGl>,
     context: CheckContext<'a>,
@@ -88,6 +90,7 @@ impl<'a> Hosts<'a> {
             importers: OnceCell::new(),
             counts: OnceCell::new(),
             given: OnceCell::new(),
+            may_be_webgl1: OnceCell::new(),
             asked_webgl: OnceCell::new(),
             context,
             imported: OnceCell::new(),
@@ -238,7 +241,10 @@ impl<'a> Hosts<'a> {
     /// concerns, or if they may ask for WebGL1 alone.
     pub fn asked_webgl(&self, is_concerned: impl Fn() -> bool) -> Option<&AskedWebGl> {
         let is_needed = match &self.script {
-            Some(text) => AskedWebGl::may_be_only_one(text) || is_concerned(),
+            Some(text) => {
+                let may_be_webgl1 = || AskedWebGl::may_be_only_one(text);
+                *self.may_be_webgl1.get_or_init(may_be_webgl1) || is_concerned()
+            }
             None => is_concerned() && self.is_imported(),
         };
         if !is_needed {
