@@ -3,7 +3,7 @@
 use crate::options::Options;
 use shaderlint_contract::{Contract, NEWEST, is_library, may_make_programs};
 use shaderlint_detect::embed::{DocumentLanguage, element_of, script_code, script_files};
-use shaderlint_detect::kind::file_extension;
+use shaderlint_detect::kind::{file_extension, made};
 use shaderlint_host::chunk_libraries;
 use shaderlint_project::{FileAccess, FileCache, Files, installed_release, meant};
 use shaderlint_script::{ExternalScript, Loader};
@@ -66,7 +66,9 @@ impl Loader for ProgramModules<'_> {
         let (path, text) = found.next()?;
         let is_short = text.len() <= MAX_HELPER;
         let is_read = is_short || text.len() <= MAX_MODULE && may_make_programs(&text);
-        (is_read || self.script(&path, "").is_none()).then_some((path, text))
+        // What a bundler or minifier wrote is a library.
+        let is_own = is_read && made(&text).is_none();
+        (is_own || self.script(&path, "").is_none()).then_some((path, text))
     }
 
     fn script(&self, path: &Path, text: &str) -> Option<String> {
