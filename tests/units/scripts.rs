@@ -2,7 +2,7 @@
 
 use shaderlint_detect::embed::{
     AskedWebGl, DocumentLanguage, Embedder, LeadingBlanks, MentionKind, NameRole, NamedStage,
-    extract, lists, mentions, together,
+    extract, lists, mentions, script_code, together,
 };
 
 #[track_caller]
@@ -109,6 +109,21 @@ fn holes_without_width_are_allowed() {
     let script = "const lines = ['#usda 1.0', '{'];\nlines.push('    matrix4d m = ' + f(a));\n\
         lines.push('    float inputs = ' + (b ?? 0));\nlines.push('}');\ng(lines.join('\\n'));\n";
     extract(DocumentLanguage::Script, script);
+}
+
+/// A tag without an end must not be read to the end of the file for each `<`.
+#[test]
+fn components_in_templates_are_code_up_to_a_limit() {
+    let code = |filler: usize| {
+        let text = format!(
+            "<template>\n<A :x=\"b\" {}/>\n</template>",
+            " ".repeat(filler)
+        );
+        script_code(DocumentLanguage::Component, &text).unwrap()
+    };
+    assert_eq!(code(0).trim(), ";()=><A  x={b} />;");
+    assert!(code(7_900).contains("<A"));
+    assert_eq!(code(8_000).trim(), "");
 }
 
 #[test]

@@ -6,6 +6,10 @@ use oxc_parser::Parser;
 use oxc_span::SourceType;
 use std::ops::Range;
 
+/// Maximum number of bytes of a tag, so that brackets without an end are not searched for to the end of the file
+/// each time.
+const MAX_TAG: usize = 8_000;
+
 /// Writes the elements of a component whose names start with a capital letter into its code, which has blanks
 /// outside of its scripts. Their attributes keep their places.
 ///
@@ -17,6 +21,7 @@ pub(super) fn add_elements(text: &str, scripts: &[Range<usize>], code: &mut Stri
         let open = at + open;
         at = open + 1;
         let rest = text.get(open..).unwrap_or("");
+        let tag = rest.get(..rest.floor_char_boundary(MAX_TAG)).unwrap_or("");
         if let Some(script) = scripts.iter().find(|range| range.contains(&open)) {
             at = script.end;
             end(code, last.take());
@@ -25,7 +30,7 @@ pub(super) fn add_elements(text: &str, scripts: &[Range<usize>], code: &mut Stri
         } else if rest
             .get(1..)
             .is_some_and(|name| name.starts_with(|c: char| c.is_ascii_uppercase()))
-            && let Some(element) = element(rest).filter(|element| is_expression(element))
+            && let Some(element) = element(tag).filter(|element| is_expression(element))
         {
             let before = if last.is_some() { "&" } else { ";()=>" };
             if put(code, open, (before, &element)) {
