@@ -126,6 +126,9 @@ pub fn contract(
     options: &Options,
     files: &dyn Files,
 ) -> Option<Arc<Contract>> {
+    if !is_script(path) {
+        return None;
+    }
     let place = Path::new(path);
     let modules = ProgramModules {
         files,
@@ -137,7 +140,7 @@ pub fn contract(
     };
     let is_program =
         may_make_programs(text) || modules.scripts(place, text).iter().any(makes_programs);
-    if !is_script(path) || !is_program {
+    if !is_program {
         return None;
     }
     let known = kept(options).get(place).cloned();

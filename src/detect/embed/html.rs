@@ -60,6 +60,13 @@ pub fn scripts(text: &str) -> Vec<Range<usize>> {
     found
 }
 
+/// The offset and the text of the tag that opens an element, with its capital letters.
+fn head_of<'t>(text: &'t str, element: &Element) -> (usize, &'t str) {
+    let before = text.get(..element.start).unwrap_or("");
+    let open = before.rfind('<').unwrap_or(0);
+    (open, before.get(open..).unwrap_or(""))
+}
+
 /// The scripts of a page that are files: offsets of their elements, paths, and whether they are modules.
 pub fn script_files(text: &str) -> Vec<(usize, &str, bool)> {
     let lower = text.to_ascii_lowercase();
@@ -67,9 +74,7 @@ pub fn script_files(text: &str) -> Vec<(usize, &str, bool)> {
     let mut at = 0;
     while let Some(element) = next_script(&lower, at) {
         at = element.end;
-        let head = text.get(..element.start).unwrap_or("");
-        let open = head.rfind('<').unwrap_or(0);
-        let head = head.get(open..).unwrap_or("");
+        let (open, head) = head_of(text, &element);
         let kind = attribute(head, "type").unwrap_or("");
         if let Some(path) = attribute(head, "src").filter(|_| is_script(kind)) {
             found.push((open, path, kind == "module"));
@@ -84,8 +89,7 @@ pub fn element_of(text: &str, id: &str) -> Option<(Range<usize>, String)> {
     let mut at = 0;
     while let Some(element) = next_script(&lower, at) {
         at = element.end;
-        let head = text.get(..element.start)?;
-        let head = head.get(head.rfind('<')?..)?;
+        let (_, head) = head_of(text, &element);
         if attribute(head, "id") == Some(id) {
             let kind = attribute(head, "type").unwrap_or("");
             return Some((element.start..element.end, kind.to_string()));
